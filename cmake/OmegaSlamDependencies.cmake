@@ -1,0 +1,26 @@
+# Third-party libraries of the ROS-free library, gathered behind one target.
+find_package(Eigen3 REQUIRED)
+# PCL asks for VTK, and with it half a desktop, only to draw; we do not draw with it.
+set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
+find_package(PCL REQUIRED COMPONENTS common kdtree search registration)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(yaml-cpp REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Threads REQUIRED)
+
+# SuiteSparse ships no CMake package on the systems we support.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+if(NOT CHOLMOD_INCLUDE_DIR OR NOT CHOLMOD_LIBRARY)
+  message(FATAL_ERROR "CHOLMOD (SuiteSparse) was not found: install libsuitesparse-dev.")
+endif()
+
+# System headers: their warnings are not ours.
+add_library(omega_slam_dependencies INTERFACE)
+target_include_directories(omega_slam_dependencies SYSTEM INTERFACE
+  ${PCL_INCLUDE_DIRS} ${OpenCV_INCLUDE_DIRS} ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(omega_slam_dependencies INTERFACE
+  Eigen3::Eigen pcl_registration pcl_search pcl_kdtree pcl_common ${OpenCV_LIBS} yaml-cpp fmt::fmt nlohmann_json::nlohmann_json
+  CLI11::CLI11 ${CHOLMOD_LIBRARY} Threads::Threads)

@@ -1,0 +1,2 @@
+# What a user gets with `make install`.
+install(TARGETS ${OMEGA_SLAM_PROGRAMS} RUNTIME DESTINATION ${OMEGA_SLAM_BIN_DESTINATION})

@@ -1,0 +1,1 @@
+#include "nodes/common/names.h"

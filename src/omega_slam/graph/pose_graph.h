@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "omega_slam/geometry/pose2.h"
+
+namespace omega_slam::graph {
+
+/// Index of a node in the graph: keyframes are numbered 0, 1, 2, ... in the order of their making.
+using NodeId = std::uint32_t;
+
+enum class ConstraintKind : std::uint8_t {
+  kOdometry = 0,  ///< from the wheels
+  kMatch = 1,     ///< from scan matching with the keyframes just before
+  kLoop = 2       ///< from scan matching with an earlier visit
+};
+
+[[nodiscard]] std::string toString(ConstraintKind kind);
+
+/// What one measurement says of the relative pose of two nodes.
+struct Constraint {
+  NodeId from{0};
+  NodeId to{0};
+  geometry::Pose2 T_from_to;  ///< measured pose of `to` seen from `from`
+  /// Information (inverse covariance) of (x, y, theta) of `T_from_to` in the frame of `from`
+  /// [1/m^2, 1/(m rad), 1/rad^2]: symmetric, positive semi-definite.
+  Eigen::Matrix3d information{Eigen::Matrix3d::Identity()};
+  ConstraintKind kind{ConstraintKind::kOdometry};
+  double confidence{1.0};  ///< [0, 1], of the matcher; 1 for odometry
+};
+
+/// Poses to be estimated and the constraints between them. Node i's pose is `poses[i]`, `T_map_i`.
+struct PoseGraph {
+  std::vector<geometry::Pose2> poses;
+  std::vector<Constraint> constraints;
+};
+
+}  // namespace omega_slam::graph

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+#include <vector>
+
+#include "omega_slam/geometry/pose2.h"
+#include "omega_slam/motion/odometry_motion_model.h"
+
+namespace omega_slam::motion {
+
+/// Where the robot believes it is by its wheels alone, and how far that belief has spread since the
+/// last keyframe.
+struct Prediction {
+  double stamp{0.0};                                    ///< [s]
+  geometry::Pose2 T_odom_base;                          ///< as the odometry says
+  Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};  ///< of the motion since the anchor, in the
+                                                        ///< axes of the odometry frame
+};
+
+/// Carries the odometry motion model along the path driven since an anchor (the last keyframe).
+///
+/// The textbook's model gives the noise of one step from the size of the step. Odometry comes at 50
+/// Hz, and noise in proportion to such tiny steps would average itself away; so the path is cut
+/// into segments of a set size, each of which is one step of the model.
+class MotionPredictor {
+ public:
+  explicit MotionPredictor(const OdometryMotionModelConfig& noise = {}, int samples = 0,
+                           std::uint64_t seed = 1);
+
+  /// Forgets the spread: from here on, covariance and samples are of the motion since this pose.
+  void anchor(const geometry::Pose2& T_odom_base);
+
+  /// Follows the odometry to its next pose; the first call anchors.
+  [[nodiscard]] Prediction predict(double stamp, const geometry::Pose2& T_odom_base);
+
+  /// Poses drawn from the belief at the last prediction, in the odometry frame; as many as asked
+  /// for.
+  [[nodiscard]] std::vector<geometry::Pose2> samples();
+
+  void reset();
+
+ private:
+  struct Segment;
+  OdometryMotionModel model_;
+  std::mt19937_64 random_;
+  bool anchored_{false};
+  geometry::Pose2 T_odom_segment_;  ///< start of the open segment
+  geometry::Pose2 T_odom_base_;     ///< newest odometry
+  Eigen::Matrix3d covariance_at_segment_{Eigen::Matrix3d::Zero()};
+  std::vector<geometry::Pose2> samples_at_segment_;
+};
+
+}  // namespace omega_slam::motion

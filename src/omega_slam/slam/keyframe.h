@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "omega_slam/geometry/pose2.h"
+#include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/sensing/sweep.h"
+
+namespace omega_slam::slam {
+
+/// A pose of the robot kept in the graph, with the sweep taken there and its odometry.
+struct Keyframe {
+  graph::NodeId id{0};
+  geometry::Pose2 T_odom_base;  ///< odometry at `sweep.stamp`
+  sensing::Sweep sweep;
+};
+
+/// Keyframes never change once made, so they are shared freely between threads.
+using KeyframePtr = std::shared_ptr<const Keyframe>;
+
+}  // namespace omega_slam::slam
