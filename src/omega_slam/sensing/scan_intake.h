@@ -38,9 +38,9 @@ struct ScanIntakeResult {
 /// angle_increment, NaN stamp, more than one full turn by more than a beam, no usable beam. The
 /// count of beams may differ from scan to scan.
 ///
-/// @param T_base0_base1 motion of the base during one second around the sweep, seen from the base
-/// at the
-///        stamp: the twist by which beams are carried back to the stamp (constant-velocity deskew).
+/// @param motion_during_sweep `T_start_end`, the motion of the base from the first beam to the
+/// last, by which
+///        beams are carried back to the stamp (constant velocity); the identity where none is known
 class ScanIntake {
  public:
   explicit ScanIntake(
