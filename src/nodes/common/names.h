@@ -1,7 +1,7 @@
 #pragma once
 
-/// Names of topics, services and frames that more than one node uses. All are relative: remap them,
-/// or push the nodes into a namespace.
+/// Names of topics and services that more than one node uses. All are relative: remap them, or push
+/// the nodes into a namespace.
 namespace omega_slam::names {
 
 inline constexpr char kScan[] = "scan";
@@ -16,5 +16,19 @@ inline constexpr char kTrajectory[] = "trajectory";
 inline constexpr char kMap[] = "map";
 inline constexpr char kMapMetadata[] = "map_metadata";
 inline constexpr char kGroundTruth[] = "base_pose_ground_truth";
+
+inline constexpr char kDynamicMapService[] = "dynamic_map";
+inline constexpr char kSaveMapService[] = "save_map";
+inline constexpr char kSaveGraphService[] = "save_graph";  ///< private
+inline constexpr char kResetService[] = "reset";           ///< private
+
+/// The one absolute name: the convention of REP-107, which every monitor listens to.
+inline constexpr char kDiagnostics[] = "/diagnostics";
+
+/// Messages kept for a slow subscriber. Keyframes and constraints are too precious to lose, and a
+/// late subscriber is sent all of them at once; of sensor data only the newest matter.
+inline constexpr unsigned kKeyframeQueue = 10000;
+inline constexpr unsigned kOdometryQueue = 200;
+inline constexpr unsigned kScanQueue = 20;
 
 }  // namespace omega_slam::names
