@@ -32,6 +32,8 @@ class OdometryBuffer {
   [[nodiscard]] double newest() const {
     return poses_.back().stamp;
   }  ///< [s]; not on an empty buffer
+  /// What is held, oldest first.
+  [[nodiscard]] const std::deque<geometry::StampedPose2>& poses() const { return poses_; }
   void clear() { poses_.clear(); }
 
  private:
