@@ -1,0 +1,190 @@
+#include "nodes/common/slam_conversions.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "nodes/common/conversions.h"
+
+namespace omega_slam {
+namespace {
+
+// How far information may be from symmetric and positive semi-definite by rounding alone, as a
+// share of its greatest element.
+constexpr double kRounding = 1e-9;
+
+bool isFiniteBeam(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
+
+std::string beamFault(const Keyframe& keyframe) {
+  if (keyframe.y.size() != keyframe.x.size() || keyframe.kind.size() != keyframe.x.size()) {
+    return "keyframe lists differ in length";
+  }
+  for (std::size_t i = 0; i < keyframe.x.size(); ++i) {
+    if (keyframe.kind[i] > Keyframe::NO_RETURN) {
+      return "keyframe has a beam of unknown kind";
+    }
+    if (keyframe.kind[i] != Keyframe::UNKNOWN && !isFiniteBeam(keyframe.x[i], keyframe.y[i])) {
+      return "keyframe has a beam that is not finite";
+    }
+  }
+  return {};
+}
+
+std::string informationFault(const Eigen::Matrix3d& information) {
+  if (!information.allFinite()) {
+    return "constraint has numbers that are not finite";
+  }
+  const double tolerance = kRounding * std::max(1.0, information.cwiseAbs().maxCoeff());
+  if ((information - information.transpose()).cwiseAbs().maxCoeff() > tolerance) {
+    return "constraint has information that is not symmetric";
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(information, Eigen::EigenvaluesOnly);
+  if (eigen.eigenvalues().minCoeff() < -tolerance) {
+    return "constraint has information that is not positive semi-definite";
+  }
+  return {};
+}
+
+Eigen::Matrix3d informationOf(const Constraint& constraint) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+      constraint.information.data());
+}
+
+}  // namespace
+
+Reading<slam::Keyframe> keyframeFromRos(const Keyframe& keyframe) {
+  if (const std::string fault = beamFault(keyframe); !fault.empty()) {
+    return {std::nullopt, fault};
+  }
+  const auto T_odom_base = poseFromRos(keyframe.odometry);
+  const auto T_base_laser = poseFromRos(keyframe.laser);
+  if (!T_odom_base || !T_base_laser || !std::isfinite(keyframe.angle_increment)) {
+    return {std::nullopt, "keyframe has numbers that are not finite"};
+  }
+  if (keyframe.angle_increment <= 0.0) {
+    return {std::nullopt, "keyframe has an angle_increment that is not positive"};
+  }
+  slam::Keyframe read;
+  read.id = keyframe.id;
+  read.T_odom_base = *T_odom_base;
+  read.sweep.stamp = keyframe.header.stamp.toSec();
+  read.sweep.T_base_laser = *T_base_laser;
+  read.sweep.angle_increment = keyframe.angle_increment;
+  read.sweep.beams.reserve(keyframe.x.size());
+  for (std::size_t i = 0; i < keyframe.x.size(); ++i) {
+    const Eigen::Vector2d end(static_cast<double>(keyframe.x[i]),
+                              static_cast<double>(keyframe.y[i]));
+    const auto kind = static_cast<sensing::BeamKind>(keyframe.kind[i]);
+    const bool says_nothing = kind == sensing::BeamKind::kUnknown;
+    read.sweep.beams.push_back({says_nothing ? Eigen::Vector2d(0.0, 0.0) : end, kind});
+  }
+  return {std::move(read), {}};
+}
+
+Keyframe keyframeToRos(const slam::Keyframe& keyframe, const ros::Time& stamp,
+                       const std::string& base_frame) {
+  Keyframe message;
+  message.header.stamp = stamp;
+  message.header.frame_id = base_frame;
+  message.id = keyframe.id;
+  message.odometry = pose2ToRos(keyframe.T_odom_base);
+  message.laser = pose2ToRos(keyframe.sweep.T_base_laser);
+  message.angle_increment = keyframe.sweep.angle_increment;
+  for (const sensing::Beam& beam : keyframe.sweep.beams) {
+    message.x.push_back(static_cast<float>(beam.end.x()));
+    message.y.push_back(static_cast<float>(beam.end.y()));
+    message.kind.push_back(static_cast<std::uint8_t>(beam.kind));
+  }
+  return message;
+}
+
+Reading<graph::Constraint> constraintFromRos(const Constraint& constraint) {
+  if (constraint.from_id == constraint.to_id) {
+    return {std::nullopt, "constraint ties a keyframe to itself"};
+  }
+  if (constraint.kind > Constraint::LOOP) {
+    return {std::nullopt, "constraint is of unknown kind"};
+  }
+  const auto T_from_to = poseFromRos(constraint.pose);
+  if (!T_from_to) {
+    return {std::nullopt, "constraint has numbers that are not finite"};
+  }
+  if (!(constraint.confidence >= 0.0 && constraint.confidence <= 1.0)) {
+    return {std::nullopt, "constraint has a confidence outside of 0 to 1"};
+  }
+  const Eigen::Matrix3d information = informationOf(constraint);
+  if (const std::string fault = informationFault(information); !fault.empty()) {
+    return {std::nullopt, fault};
+  }
+  graph::Constraint read;
+  read.from = constraint.from_id;
+  read.to = constraint.to_id;
+  read.T_from_to = *T_from_to;
+  read.information = information;
+  read.kind = static_cast<graph::ConstraintKind>(constraint.kind);
+  read.confidence = constraint.confidence;
+  return {read, {}};
+}
+
+Constraint constraintToRos(const graph::Constraint& constraint) {
+  Constraint message;
+  message.from_id = constraint.from;
+  message.to_id = constraint.to;
+  message.pose = pose2ToRos(constraint.T_from_to);
+  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(message.information.data()) =
+      constraint.information;
+  message.confidence = constraint.confidence;
+  message.kind = static_cast<std::uint8_t>(constraint.kind);
+  return message;
+}
+
+std::vector<Constraint> constraintsToRos(const std::vector<graph::Constraint>& constraints) {
+  std::vector<Constraint> messages;
+  messages.reserve(constraints.size());
+  for (const graph::Constraint& constraint : constraints) {
+    messages.push_back(constraintToRos(constraint));
+  }
+  return messages;
+}
+
+Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
+  if (graph.stamps.size() != graph.poses.size()) {
+    return {std::nullopt, "pose graph has not as many stamps as poses"};
+  }
+  graph::PoseGraph read;
+  for (const omega_slam::Pose2& message : graph.poses) {
+    const auto pose = poseFromRos(message);
+    if (!pose) {
+      return {std::nullopt, "pose graph has numbers that are not finite"};
+    }
+    read.poses.push_back(*pose);
+  }
+  for (const Constraint& message : graph.constraints) {
+    const auto constraint = constraintFromRos(message);
+    if (!constraint.value) {
+      return {std::nullopt, "pose graph: " + constraint.fault};
+    }
+    if (std::max(message.from_id, message.to_id) >= read.poses.size()) {
+      return {std::nullopt, "pose graph has a constraint to a keyframe that it lacks"};
+    }
+    read.constraints.push_back(*constraint.value);
+  }
+  return {std::move(read), {}};
+}
+
+PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps,
+                         double chi_square, const std::string& map_frame) {
+  PoseGraph message;
+  message.header.frame_id = map_frame;
+  message.header.stamp = stamps.empty() ? ros::Time(0) : stamps.back();
+  for (const geometry::Pose2& pose : graph.poses) {
+    message.poses.push_back(pose2ToRos(pose));
+  }
+  message.stamps = stamps;
+  message.constraints = constraintsToRos(graph.constraints);
+  message.chi_square = chi_square;
+  return message;
+}
+
+}  // namespace omega_slam

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <omega_slam/Constraint.h>
+#include <omega_slam/Keyframe.h>
+#include <omega_slam/PoseGraph.h>
+#include <ros/time.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/slam/keyframe.h"
+
+/// Between the messages of this package and the library's types. Pure functions. Messages come from
+/// anywhere: reading one gives its value or the reason why it can't be used.
+namespace omega_slam {
+
+/// A message read, or why not: a short stable phrase.
+template <class T>
+struct Reading {
+  std::optional<T> value;
+  std::string fault;
+};
+
+/// Faults: lists of different lengths, numbers that are not finite (where the beam says something),
+/// an angle_increment that is not positive, an unknown kind of beam.
+[[nodiscard]] Reading<slam::Keyframe> keyframeFromRos(const Keyframe& keyframe);
+
+/// @param stamp the scan's own, to the nanosecond, which a double can't hold
+[[nodiscard]] Keyframe keyframeToRos(const slam::Keyframe& keyframe, const ros::Time& stamp,
+                                     const std::string& base_frame);
+
+/// Faults: a node tied to itself, numbers that are not finite, information that is not symmetric
+/// and positive semi-definite, an unknown kind, a confidence outside of [0, 1].
+[[nodiscard]] Reading<graph::Constraint> constraintFromRos(const Constraint& constraint);
+
+[[nodiscard]] Constraint constraintToRos(const graph::Constraint& constraint);
+[[nodiscard]] std::vector<Constraint> constraintsToRos(
+    const std::vector<graph::Constraint>& constraints);
+
+/// Faults: as many stamps as poses there must be, poses finite, constraints sound and between nodes
+/// that exist.
+[[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
+
+/// @param stamps of the keyframes, as many as there are poses
+[[nodiscard]] PoseGraph poseGraphToRos(const graph::PoseGraph& graph,
+                                       const std::vector<ros::Time>& stamps, double chi_square,
+                                       const std::string& map_frame);
+
+}  // namespace omega_slam
