@@ -1,0 +1,13 @@
+#include "omega_slam/sensing/sweep_duration.h"
+
+namespace omega_slam::sensing {
+
+double sweepDuration(const LaserScan& scan) {
+  if (scan.ranges.empty()) {
+    return 0.0;
+  }
+  const double duration = scan.time_increment * static_cast<double>(scan.ranges.size() - 1);
+  return duration >= 0.0 && duration <= kLongestSweep ? duration : 0.0;
+}
+
+}  // namespace omega_slam::sensing
