@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct Constraint {
   ConstraintKind kind{ConstraintKind::kOdometry};
   double confidence{1.0};  ///< [0, 1], of the matcher; 1 for odometry
 };
+
+/// Why a constraint can't enter a graph of so many nodes, a short stable phrase; empty if it can.
+[[nodiscard]] std::string faultOf(const Constraint& constraint, std::size_t nodes);
 
 /// Poses to be estimated and the constraints between them. Node i's pose is `poses[i]`, `T_map_i`.
 struct PoseGraph {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -10,21 +11,23 @@
 namespace omega_slam::motion {
 
 /// Where the robot believes it is by its wheels alone, and how far that belief has spread since the
-/// last keyframe.
+/// anchor.
 struct Prediction {
-  double stamp{0.0};                                    ///< [s]
-  geometry::Pose2 T_odom_base;                          ///< as the odometry says
-  Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};  ///< of the motion since the anchor, in the
-                                                        ///< axes of the odometry frame
+  double stamp{0.0};            ///< [s]
+  geometry::Pose2 T_odom_base;  ///< as the odometry says
+  /// Of the motion since the anchor (the last keyframe), in the axes of the odometry frame [m^2, m
+  /// rad, rad^2].
+  Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};
 };
 
-/// Carries the odometry motion model along the path driven since an anchor (the last keyframe).
+/// Carries the odometry motion model along the path driven since an anchor, the last keyframe.
 ///
-/// The textbook's model gives the noise of one step from the size of the step. Odometry comes at 50
-/// Hz, and noise in proportion to such tiny steps would average itself away; so the path is cut
-/// into segments of a set size, each of which is one step of the model.
+/// The textbook gives the noise of one step from the size of the step. Odometry comes at 50 Hz, and
+/// independent noise in proportion to such tiny steps would average itself away; so the path is cut
+/// into segments of a set size, and each segment is one step of the model.
 class MotionPredictor {
  public:
+  /// @param samples how many poses samples() draws
   explicit MotionPredictor(const OdometryMotionModelConfig& noise = {}, int samples = 0,
                            std::uint64_t seed = 1);
 
@@ -34,21 +37,25 @@ class MotionPredictor {
   /// Follows the odometry to its next pose; the first call anchors.
   [[nodiscard]] Prediction predict(double stamp, const geometry::Pose2& T_odom_base);
 
-  /// Poses drawn from the belief at the last prediction, in the odometry frame; as many as asked
-  /// for.
+  /// Poses drawn from the belief at the last prediction, in the odometry frame.
   [[nodiscard]] std::vector<geometry::Pose2> samples();
 
-  void reset();
+  void reset();  ///< the next prediction anchors anew
 
  private:
-  struct Segment;
+  void closeSegment(const geometry::Pose2& T_odom_base);
+  [[nodiscard]] Eigen::Matrix3d covarianceAt(const geometry::Pose2& T_odom_base) const;
+  [[nodiscard]] std::vector<geometry::Pose2> samplesAt(const geometry::Pose2& T_odom_base);
+
   OdometryMotionModel model_;
   std::mt19937_64 random_;
+  std::size_t sample_count_;
   bool anchored_{false};
   geometry::Pose2 T_odom_segment_;  ///< start of the open segment
   geometry::Pose2 T_odom_base_;     ///< newest odometry
-  Eigen::Matrix3d covariance_at_segment_{Eigen::Matrix3d::Zero()};
-  std::vector<geometry::Pose2> samples_at_segment_;
+  Eigen::Matrix3d segment_covariance_{
+      Eigen::Matrix3d::Zero()};                   ///< at the start of the open segment
+  std::vector<geometry::Pose2> segment_samples_;  ///< at the start of the open segment
 };
 
 }  // namespace omega_slam::motion

@@ -11,12 +11,11 @@
 namespace omega_slam::sensing {
 
 struct ScanIntakeConfig {
-  double min_range{
-      0.0};  ///< [m] Returns nearer than this are ignored; the scan's own range_min also holds.
+  double min_range{0.0};  ///< [m] Nearer returns are ignored; the scan's own range_min also holds.
   double max_range{
-      0.0};  ///< [m] Returns farther than this say only "free so far"; 0: the scan's own range_max.
-  double no_return_range{
-      0.0};  ///< [m] Length that a beam with no return (+inf) clears; 0: the limit above.
+      0.0};  ///< [m] Farther returns say only "free so far"; 0: the scan's own range_max.
+  double no_return_range{4.0};   ///< [m] A beam without return clears so far, but not beyond the
+                                 ///< limit above; 0: nothing.
   bool nan_is_no_return{false};  ///< Some drivers (urg_node) say NaN where REP-117 asks for +inf.
   int min_beams{1};              ///< Scans with fewer beams are rejected.
 
@@ -31,12 +30,14 @@ struct ScanIntakeResult {
   std::vector<std::string> repairs;  ///< what had to be mended, short stable phrases
 };
 
-/// Guards the door: any scan goes in, a finite and ordered Sweep comes out, or a reason.
+/// Guards the door: any scan goes in; a finite, ordered Sweep comes out, or a reason.
 ///
-/// Repairs: infinite or unset range limits, range_min < 0, swapped or empty range limits, negative
-/// time_increment, clockwise sweep, laser upside down. Rejects: no beams, NaN or zero
-/// angle_increment, NaN stamp, more than one full turn by more than a beam, no usable beam. The
-/// count of beams may differ from scan to scan.
+/// A beam is a return if range_min <= r <= range_max (this form also refuses NaN). +inf and finite
+/// ranges above range_max mean that nothing was met; -inf and ranges below range_min mean "too
+/// close" and say nothing (REP-117). Repaired: unset or senseless range limits, a senseless
+/// time_increment, a clockwise sweep, a laser upside down. Rejected: no beams, too few, a stamp or
+/// angles that are not finite, angle_increment 0, more than a full turn, not one beam that says
+/// anything. The count of beams may differ from scan to scan.
 ///
 /// @param motion_during_sweep `T_start_end`, the motion of the base from the first beam to the
 /// last, by which

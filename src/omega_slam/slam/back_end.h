@@ -11,6 +11,10 @@ namespace omega_slam::slam {
 
 struct BackEndConfig {
   graph::SolverConfig solver;
+  double solve_error{
+      1.0};  ///< solve at once when a loop lies off by more than so many standard deviations,
+  int solve_interval{10};  ///< else when so many keyframes have come since the first unsolved loop
+
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
@@ -20,24 +24,31 @@ class BackEnd {
  public:
   explicit BackEnd(const BackEndConfig& config = {});  ///< @throws std::invalid_argument
 
-  /// Adds node `id` with its constraints to earlier nodes; its first pose follows from the most
-  /// informative of them. The first node lies at the origin of the map.
-  /// @return why it was refused (id out of turn, pose not finite, no valid constraint to what is
-  /// there), or an empty string
+  /// Adds node `id` with its constraints to earlier nodes, at the pose that these make most likely:
+  /// the optimum, since a new leaf moves nothing else. The first node lies at the origin of the map
+  /// and needs no constraint.
+  /// @return why it was refused (id out of turn, pose not finite, no valid constraint), a short
+  /// stable phrase; or empty
   std::string addKeyframe(graph::NodeId id, const geometry::Pose2& T_odom_base,
                           const std::vector<graph::Constraint>& constraints);
 
-  /// Adds constraints between known nodes. @return why the first bad one was refused, or an empty
-  /// string; good ones are kept
+  /// Adds constraints between known nodes, the bad ones excepted.
+  /// @return why the first bad one was refused, a short stable phrase; or empty
   std::string addConstraints(const std::vector<graph::Constraint>& constraints);
 
-  /// Solves if something new has come that can move a node; else returns the last report.
+  /// Whether what has come since the last solve is worth one (see the config).
+  [[nodiscard]] bool wantsSolve() const;
+
+  /// Solves the whole graph.
   const graph::SolveReport& solve();
 
   [[nodiscard]] const graph::PoseGraph& graph() const { return graph_; }
-  [[nodiscard]] const graph::SolveReport& report() const { return report_; }
-  /// `T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is none.
+  [[nodiscard]] const graph::SolveReport& report() const { return report_; }  ///< of the last solve
+
+  /// `T_map_odom = T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is
+  /// none.
   [[nodiscard]] geometry::Pose2 mapFromOdometry() const;
+
   void reset();
 
  private:
@@ -45,7 +56,10 @@ class BackEnd {
   graph::PoseGraph graph_;
   geometry::Pose2 T_odom_newest_;
   graph::SolveReport report_;
-  bool dirty_{false};
+  double unsolved_error_{
+      0.0};  ///< largest error of a constraint not yet solved for [standard deviations]
+  std::size_t unsolved_since_{0};  ///< count of nodes when the first such constraint came
+  bool unsolved_{false};
 };
 
 }  // namespace omega_slam::slam

@@ -52,7 +52,12 @@ class FrontEnd {
     geometry::Pose2 T_local_base;  ///< in a local frame that drifts, but slowly
     std::vector<Eigen::Vector2d> returns;
   };
+  /// Constraints from the newest keyframe to a fresh one; the match, where trusted, moves the fresh
+  /// one.
+  void tieToNewest(LocalKeyframe& fresh, const motion::Prediction& prediction,
+                   FrontEndResult& result) const;
   [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
+  /// Returns of the local keyframes, in the frame of the newest.
   [[nodiscard]] matching::Points localPoints() const;
 
   FrontEndConfig config_;

@@ -4,6 +4,7 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/matching/scan_matcher.h"
 #include "omega_slam/sensing/sweep.h"
 
 namespace omega_slam::slam {
@@ -14,6 +15,11 @@ struct Keyframe {
   geometry::Pose2 T_odom_base;  ///< odometry at `sweep.stamp`
   sensing::Sweep sweep;
 };
+
+/// A scan match between two keyframes as a constraint of the graph.
+[[nodiscard]] graph::Constraint matchConstraint(graph::NodeId from, graph::NodeId to,
+                                                const matching::MatchResult& match,
+                                                graph::ConstraintKind kind);
 
 /// Keyframes never change once made, so they are shared freely between threads.
 using KeyframePtr = std::shared_ptr<const Keyframe>;

@@ -39,6 +39,13 @@ class LoopCloser {
   void reset();
 
  private:
+  /// Earlier keyframes worth a match with `id`, nearest first.
+  [[nodiscard]] std::vector<graph::NodeId> candidates(
+      graph::NodeId id, const std::vector<geometry::Pose2>& poses) const;
+  /// Returns of a keyframe and its neighbours in time, in its frame.
+  [[nodiscard]] matching::Points surroundings(graph::NodeId center,
+                                              const std::vector<geometry::Pose2>& poses) const;
+
   LoopCloserConfig config_;
   matching::IcpMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;

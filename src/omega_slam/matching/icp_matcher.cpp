@@ -1,0 +1,116 @@
+#include "omega_slam/matching/icp_matcher.h"
+
+// GCC 12 takes PCL's three floats for an array that Eigen reads beyond its end: a false alarm, in a
+// header.
+#pragma GCC diagnostic ignored "-Warray-bounds"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/registration/icp.h>
+#include <pcl/registration/transformation_estimation_2D.h>
+
+#include <cmath>
+
+#include "omega_slam/geometry/validation.h"
+#include "omega_slam/matching/match_quality.h"
+
+namespace omega_slam::matching {
+
+using geometry::Pose2;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Icp = pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>;
+
+/// PCL's step that ends the search [m^2 of squared translation]; well below what a laser resolves.
+constexpr double kSmallestStep = 1e-8;
+
+Cloud::Ptr toCloud(const Points& points) {
+  auto cloud = Cloud::Ptr(new Cloud);
+  cloud->reserve(points.size());
+  for (const Eigen::Vector2d& point : points) {
+    cloud->push_back(
+        pcl::PointXYZ(static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F));
+  }
+  return cloud;
+}
+
+Eigen::Matrix4f toMatrix(const Pose2& pose) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<2, 2>() = pose.rotation();
+  matrix.topRightCorner<2, 1>() = pose.translation();
+  return matrix.cast<float>();
+}
+
+Pose2 toPose(const Eigen::Matrix4f& matrix) {
+  const Eigen::Matrix4d m = matrix.cast<double>();
+  return {m(0, 3), m(1, 3), std::atan2(m(1, 0), m(0, 0))};
+}
+
+MatchResult refusal(const Pose2& guess, MatchFailure failure) {
+  MatchResult result;
+  result.T_reference_scan = guess;
+  result.failure = failure;
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> IcpMatcherConfig::validate() const {
+  geometry::Violations violations;
+  violations.requireAtLeast("max_iterations", max_iterations, 1);
+  violations.requireAbove("outlier_distance", outlier_distance, 0.0);
+  violations.requireAtLeast("max_correspondence_distance", max_correspondence_distance,
+                            outlier_distance);
+  violations.requireAtLeast("min_returns", min_returns, 3);
+  violations.requireAbove("range_noise", range_noise, 0.0);
+  return violations.sentences();
+}
+
+IcpMatcher::IcpMatcher(const IcpMatcherConfig& config) : config_(config) {
+  geometry::throwIfAny(config_.validate());
+}
+
+MatchResult IcpMatcher::match(const Points& reference, const Points& scan,
+                              const Pose2& guess) const {
+  const auto enough = static_cast<std::size_t>(config_.min_returns);
+  if (scan.size() < enough || reference.size() < enough || !guess.isFinite()) {
+    return refusal(guess.isFinite() ? guess : Pose2{}, MatchFailure::kTooFewReturns);
+  }
+  Icp icp;
+  // Planar: the general estimate may tip a flat cloud out of its plane.
+  icp.setTransformationEstimation(Icp::TransformationEstimationPtr(
+      new pcl::registration::TransformationEstimation2D<pcl::PointXYZ, pcl::PointXYZ>));
+  icp.setInputTarget(toCloud(reference));
+  icp.setInputSource(toCloud(scan));
+  icp.setMaximumIterations(config_.max_iterations);
+  icp.setTransformationEpsilon(kSmallestStep);
+
+  Cloud aligned;
+  Pose2 T_reference_scan = guess;
+  bool converged = false;
+  // The wide pass finds the way from a poor guess; the narrow one leaves out what only one scan has
+  // seen.
+  for (const double reach : {config_.max_correspondence_distance, config_.outlier_distance}) {
+    icp.setMaxCorrespondenceDistance(reach);
+    icp.align(aligned, toMatrix(T_reference_scan));
+    const Pose2 found = toPose(icp.getFinalTransformation());
+    if (!icp.hasConverged() || !found.isFinite()) {
+      return refusal(guess, MatchFailure::kNoOverlap);
+    }
+    T_reference_scan = found;
+    converged =
+        icp.getConvergeCriteria()->getConvergenceState() !=
+        pcl::registration::DefaultConvergenceCriteria<float>::CONVERGENCE_CRITERIA_ITERATIONS;
+  }
+  MatchResult result = judgeMatch(reference, scan, T_reference_scan,
+                                  {config_.outlier_distance, config_.range_noise});
+  result.converged = converged;
+  if (!converged && result.failure == MatchFailure::kNone) {
+    result.failure = MatchFailure::kNotConverged;
+  }
+  return result;
+}
+
+}  // namespace omega_slam::matching

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "omega_slam/geometry/pose2.h"
+#include "omega_slam/matching/scan_matcher.h"
+
+namespace omega_slam::matching {
+
+struct MatchQualityConfig {
+  double outlier_distance{0.15};  ///< [m] farther partners are none
+  double range_noise{0.02};       ///< [m] standard deviation of a range
+};
+
+/// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
+///
+/// Each scan point's partner is its nearest reference point; the reference's surface there is the
+/// line through that point's neighbours. The covariance is the inverse of the point-to-line
+/// Hessian, sum J^T J / sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
+/// covariance"), simplified: the noise of every point-to-line distance is taken as independent with
+/// the range's deviation or the residual, whichever is larger. A weak prior keeps it finite along
+/// directions that no line determines, where it is large. Points on one wall err together, so a
+/// floor is added that no number of points gets below.
+///
+/// Confidence is overlap * (1 - (residual / outlier_distance)^2).
+///
+/// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate
+/// where that holds.
+[[nodiscard]] MatchResult judgeMatch(const Points& reference, const Points& scan,
+                                     const geometry::Pose2& T_reference_scan,
+                                     const MatchQualityConfig& config);
+
+}  // namespace omega_slam::matching

@@ -1,0 +1,161 @@
+#include "omega_slam/sensing/scan_intake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "omega_slam/geometry/angle.h"
+#include "omega_slam/geometry/validation.h"
+
+namespace omega_slam::sensing {
+
+using geometry::Pose2;
+
+namespace {
+
+/// No 2D laser sees farther [m]; where a scan states no limit, this one holds.
+constexpr double kFarthest = 1000.0;
+/// No sweep lasts longer [s]; a time_increment that says so is wrong.
+constexpr double kLongestSweep = 2.0;
+
+struct Limits {
+  double min{0.0};        // [m] nearer: too close
+  double max{kFarthest};  // [m] farther: free so far
+  double clear{0.0};      // [m] length that a beam without return clears
+};
+
+/// Why a scan can't be used at all; empty if it can.
+std::string rejectionOf(const LaserScan& scan, int min_beams) {
+  if (scan.ranges.empty()) {
+    return "no beams";
+  }
+  if (scan.ranges.size() < static_cast<std::size_t>(min_beams)) {
+    return "too few beams";
+  }
+  if (!std::isfinite(scan.stamp)) {
+    return "stamp is not finite";
+  }
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) {
+    return "angles are not finite";
+  }
+  const double step = std::abs(scan.angle_increment);
+  if (step == 0.0 && scan.ranges.size() > 1) {
+    return "angle_increment is zero";
+  }
+  // One beam of overlap is common: 0 and 360 degrees are both measured.
+  if (step * static_cast<double>(scan.ranges.size() - 1) > 2.0 * geometry::kPi + step) {
+    return "more than a full turn";
+  }
+  return {};
+}
+
+Limits limitsOf(const LaserScan& scan, const ScanIntakeConfig& config,
+                std::vector<std::string>& repairs) {
+  Limits limits;
+  if (scan.range_min >= 0.0 && std::isfinite(scan.range_min)) {
+    limits.min = scan.range_min;
+  } else {
+    repairs.emplace_back("range_min is senseless");
+  }
+  if (scan.range_max > limits.min && std::isfinite(scan.range_max)) {
+    limits.max = scan.range_max;
+  } else {
+    repairs.emplace_back("range_max is senseless");
+    limits.min = 0.0;
+  }
+  limits.min = std::max(limits.min, config.min_range);
+  if (config.max_range > 0.0) {
+    limits.max = std::min(limits.max, config.max_range);
+  }
+  limits.clear = std::min(config.no_return_range, limits.max);
+  return limits;
+}
+
+/// Seconds between beams, or 0 where the scan's own statement makes no sense.
+double timeIncrementOf(const LaserScan& scan, std::vector<std::string>& repairs) {
+  const double sweep = scan.time_increment * static_cast<double>(scan.ranges.size());
+  if (!(sweep >= 0.0 && sweep <= kLongestSweep)) {
+    repairs.emplace_back("time_increment is senseless");
+    return 0.0;
+  }
+  return scan.time_increment;
+}
+
+struct Reading {
+  BeamKind kind{BeamKind::kUnknown};
+  double range{0.0};  // [m]
+};
+
+Reading readBeam(double range, const Limits& limits, bool nan_is_no_return) {
+  if (range >= limits.min && range <= limits.max) {
+    return {BeamKind::kReturn, range};
+  }
+  const bool nothing_met = range > limits.max || (std::isnan(range) && nan_is_no_return);
+  if (nothing_met && limits.clear > 0.0) {
+    return {BeamKind::kNoReturn, limits.clear};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> ScanIntakeConfig::validate() const {
+  geometry::Violations violations;
+  violations.requireAtLeast("min_range", min_range, 0.0);
+  violations.requireAtLeast("max_range", max_range, 0.0);
+  violations.requireAtLeast("no_return_range", no_return_range, 0.0);
+  violations.requireAtLeast("min_beams", min_beams, 1);
+  if (max_range > 0.0) {
+    violations.requireAbove("max_range", max_range, min_range);
+  }
+  return violations.sentences();
+}
+
+ScanIntake::ScanIntake(const ScanIntakeConfig& config) : config_(config) {
+  geometry::throwIfAny(config_.validate());
+}
+
+ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mount,
+                                     const Pose2& motion_during_sweep) const {
+  ScanIntakeResult result;
+  result.rejection = rejectionOf(scan, config_.min_beams);
+  if (!result.rejection.empty()) {
+    return result;
+  }
+  const Limits limits = limitsOf(scan, config_, result.repairs);
+  const bool moves = timeIncrementOf(scan, result.repairs) > 0.0;
+  const double turn = mount.upside_down ? -1.0 : 1.0;
+  const double last = std::max(1.0, static_cast<double>(scan.ranges.size() - 1));
+
+  Sweep sweep{scan.stamp, mount.T_base_laser, std::abs(scan.angle_increment), {}};
+  sweep.beams.reserve(scan.ranges.size());
+  bool says_anything = false;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const auto index = static_cast<double>(i);
+    const Reading reading = readBeam(scan.ranges[i], limits, config_.nan_is_no_return);
+    Beam beam;
+    beam.kind = reading.kind;
+    if (beam.kind != BeamKind::kUnknown) {
+      const double angle = turn * (scan.angle_min + index * scan.angle_increment);
+      const Eigen::Vector2d p_laser(reading.range * std::cos(angle),
+                                    reading.range * std::sin(angle));
+      const Pose2 T_start_base =
+          moves ? interpolate(Pose2{}, motion_during_sweep, index / last) : Pose2{};
+      beam.end = T_start_base * (mount.T_base_laser * p_laser);
+      says_anything = true;
+    }
+    sweep.beams.push_back(beam);
+  }
+  if (!says_anything) {
+    result.rejection = "no beam says anything";
+    return result;
+  }
+  if (turn * scan.angle_increment < 0.0) {
+    result.repairs.emplace_back("sweeps clockwise");
+    std::reverse(sweep.beams.begin(), sweep.beams.end());
+  }
+  result.sweep = std::move(sweep);
+  return result;
+}
+
+}  // namespace omega_slam::sensing

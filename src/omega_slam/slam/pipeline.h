@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "omega_slam/geometry/pose2.h"
+#include "omega_slam/mapping/occupancy_mapper.h"
+#include "omega_slam/motion/motion_predictor.h"
+#include "omega_slam/sensing/scan_intake.h"
+#include "omega_slam/slam/back_end.h"
+#include "omega_slam/slam/front_end.h"
+#include "omega_slam/slam/loop_closer.h"
+
+namespace omega_slam::slam {
+
+struct PipelineConfig {
+  motion::OdometryMotionModelConfig noise;
+  sensing::ScanIntakeConfig intake;
+  FrontEndConfig front_end;
+  LoopCloserConfig loops;
+  BackEndConfig back_end;
+};
+
+/// What one scan has led to; facts for the caller to count.
+struct ScanOutcome {
+  std::string rejection;             ///< as ScanIntakeResult
+  std::vector<std::string> repairs;  ///< as ScanIntakeResult
+  bool keyframe{false};
+  bool match_untrusted{false};  ///< a match was tried, and the odometry was left alone
+  std::size_t loops{0};         ///< loop constraints found
+};
+
+/// The whole chain wired by function calls: the same objects that the nodes wire by topics.
+/// Deterministic: same calls, same results. Not thread-safe.
+class Pipeline {
+ public:
+  explicit Pipeline(const PipelineConfig& config = {});  ///< @throws std::invalid_argument
+
+  /// @param T_odom_base odometry at the scan's stamp
+  /// @param motion_during_sweep see ScanIntake::process
+  ScanOutcome process(const sensing::LaserScan& scan, const sensing::LaserMount& mount,
+                      const geometry::Pose2& T_odom_base,
+                      const geometry::Pose2& motion_during_sweep = {});
+
+  /// The last solve, of everything. Call it once, after the last scan.
+  const graph::SolveReport& finish();
+
+  [[nodiscard]] const graph::PoseGraph& graph() const { return back_end_.graph(); }
+  [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
+
+  /// One pose `T_map_base` for every scan that came with a finite stamp, in their order. Between
+  /// two keyframes the odometry is bent so that it fits both.
+  [[nodiscard]] geometry::Trajectory trajectory() const;
+
+  /// The map that the keyframes give at their solved poses.
+  [[nodiscard]] grid::OccupancyGrid map(const mapping::OccupancyMapperConfig& config) const;
+
+ private:
+  struct ScanTrack {
+    double stamp;
+    geometry::Pose2 T_odom_base;
+  };
+  void addKeyframe(const FrontEndResult& result, ScanOutcome& outcome);
+
+  sensing::ScanIntake intake_;
+  motion::MotionPredictor predictor_;
+  FrontEnd front_end_;
+  LoopCloser loops_;
+  BackEnd back_end_;
+  std::vector<KeyframePtr> keyframes_;
+  std::vector<ScanTrack> tracks_;
+  std::vector<std::size_t> keyframe_tracks_;  ///< for each keyframe, its scan's index in tracks_
+};
+
+}  // namespace omega_slam::slam
