@@ -1,0 +1,144 @@
+#include "omega_slam/config/slam_config.h"
+
+#include "omega_slam/config/yaml_file.h"
+
+namespace omega_slam::config {
+namespace {
+
+// Beyond these no robot that drives in a plane is described, and the number is a slip of the pen.
+constexpr Range kShare{0.0, 1.0};
+constexpr Range kLength{0.0, 1000.0};           // [m]
+constexpr Range kPositiveLength{1e-3, 1000.0};  // [m]
+constexpr Range kAngle{0.0, 3.15};              // [rad]
+constexpr Range kDuration{0.0, 3600.0};         // [s]
+constexpr Range kRate{0.1, 1000.0};             // [Hz]
+constexpr Range kNoise{0.0, 10.0};              // standard deviation per unit of motion
+constexpr Range kCount{0, 1000000};
+constexpr Range kPositiveCount{1, 1000000};
+
+/// A frame is named without the leading '/' of tf1, which tf2 refuses.
+void readFrame(ParameterReader& reader, const std::string& key, std::string& frame) {
+  reader.read(key, frame);
+  if (frame.empty() || frame.front() == '/') {
+    reader.fault(key + " must be the name of a frame, without a leading '/'.");
+  }
+}
+
+void readLaserPose(ParameterReader& reader, std::vector<double>& laser_pose) {
+  reader.read("laser_pose", laser_pose, {-kLength.max, kLength.max});
+  if (!laser_pose.empty() && laser_pose.size() != 3) {
+    reader.fault("laser_pose must be empty, or x, y and yaw.");
+  }
+}
+
+void read(ParameterReader reader, motion::OdometryMotionModelConfig& config) {
+  reader.read("rotation_per_rotation", config.rotation_per_rotation, kNoise);
+  reader.read("rotation_per_translation", config.rotation_per_translation, kNoise);
+  reader.read("translation_per_translation", config.translation_per_translation, kNoise);
+  reader.read("translation_per_rotation", config.translation_per_rotation, kNoise);
+  reader.faults(config.validate());
+}
+
+void read(ParameterReader reader, sensing::ScanIntakeConfig& config) {
+  reader.read("min_range", config.min_range, kLength);
+  reader.read("max_range", config.max_range, kLength);
+  reader.read("no_return_range", config.no_return_range, kLength);
+  reader.read("nan_is_no_return", config.nan_is_no_return);
+  reader.read("min_beams", config.min_beams, kPositiveCount);
+  reader.faults(config.validate());
+}
+
+/// Its faults are found by the validate() of what it belongs to.
+void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
+  reader.read("max_iterations", config.max_iterations, kPositiveCount);
+  reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
+  reader.read("outlier_distance", config.outlier_distance, kPositiveLength);
+  reader.read("min_returns", config.min_returns, kPositiveCount);
+  reader.read("range_noise", config.range_noise, {1e-4, 10.0});
+}
+
+void read(ParameterReader reader, slam::LoopCloserConfig& config) {
+  reader.read("search_radius", config.search_radius, kPositiveLength);
+  reader.read("min_separation", config.min_separation, kPositiveCount);
+  reader.read("max_candidates", config.max_candidates, kCount);
+  reader.read("neighbours", config.neighbours, kCount);
+  reader.read("min_confidence", config.min_confidence, kShare);
+  read(reader.group("icp"), config.icp);
+  reader.faults(config.validate());
+}
+
+void read(ParameterReader reader, graph::SolverConfig& config) {
+  reader.read("max_iterations", config.max_iterations, kPositiveCount);
+  reader.read("relative_gain", config.relative_gain, kShare);
+  reader.read("loop_kernel", config.loop_kernel, {0.0, 1000.0});
+}
+
+}  // namespace
+
+void read(ParameterReader& reader, MotionModelNodeConfig& config) {
+  reader.read("odometry_source", config.odometry_source, {"topic", "tf"});
+  readFrame(reader, "odom_frame", config.odom_frame);
+  readFrame(reader, "base_frame", config.base_frame);
+  reader.read("tf_rate", config.tf_rate, kRate);
+  reader.read("samples", config.samples, {0.0, 10000.0});
+  reader.read("seed", config.seed, {0.0});
+  read(reader.group("noise"), config.noise);
+}
+
+void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
+  readFrame(reader, "base_frame", config.base_frame);
+  readLaserPose(reader, config.laser_pose);
+  reader.read("odometry_wait", config.odometry_wait, kDuration);
+  read(reader.group("scans"), config.intake);
+  slam::FrontEndConfig& front_end = config.front_end;
+  reader.read("keyframe_translation", front_end.keyframe_translation, kPositiveLength);
+  reader.read("keyframe_rotation", front_end.keyframe_rotation, kAngle);
+  reader.read("keyframe_time", front_end.keyframe_time, kDuration);
+  reader.read("local_keyframes", front_end.local_keyframes, kPositiveCount);
+  reader.read("min_confidence", front_end.min_confidence, kShare);
+  read(reader.group("icp"), front_end.icp);
+  reader.faults(front_end.validate());
+  read(reader.group("loops"), config.loops);
+}
+
+void read(ParameterReader& reader, GraphSlamNodeConfig& config) {
+  readFrame(reader, "map_frame", config.map_frame);
+  readFrame(reader, "odom_frame", config.odom_frame);
+  reader.read("transform_rate", config.transform_rate, kRate);
+  reader.read("transform_tolerance", config.transform_tolerance, kDuration);
+  read(reader.group("solver"), config.back_end.solver);
+  reader.faults(config.back_end.validate());
+}
+
+void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
+  readFrame(reader, "map_frame", config.map_frame);
+  reader.read("update_interval", config.update_interval, kDuration);
+  reader.read("save_stem", config.save_stem);
+  if (config.save_stem.empty()) {
+    reader.fault("save_stem must not be empty.");
+  }
+  mapping::OccupancyMapperConfig& mapper = config.mapper;
+  reader.read("resolution", mapper.resolution, {1e-3, 10.0});
+  reader.read("max_range", mapper.max_range, kLength);
+  reader.read("occupied_threshold", mapper.occupied_threshold, kShare);
+  reader.read("min_observations", mapper.min_observations, kPositiveCount);
+  reader.read("max_extent", mapper.max_extent, {1.0, 100000.0});
+  reader.faults(mapper.validate());
+}
+
+SlamConfig loadSlamConfig(const std::string& path) {
+  ParameterReader file(loadYamlFile(path), "", path);
+  SlamConfig config;
+  ParameterReader motion_model = file.group("motion_model");
+  read(motion_model, config.motion_model);
+  ParameterReader scan_matcher = file.group("scan_matcher");
+  read(scan_matcher, config.scan_matcher);
+  ParameterReader graph_slam = file.group("graph_slam");
+  read(graph_slam, config.graph_slam);
+  ParameterReader map_builder = file.group("map_builder");
+  read(map_builder, config.map_builder);
+  file.finish();
+  return config;
+}
+
+}  // namespace omega_slam::config
