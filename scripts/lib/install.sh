@@ -1,0 +1,69 @@
+# Installs the Debian packages of scripts/dependencies.txt that are missing. Needs common.sh.
+
+DEPENDENCY_LIST=$OMEGA_SLAM_ROOT/scripts/dependencies.txt
+
+# The names of all packages in the list, one a line.
+listed_packages() { awk '!/^[[:space:]]*(#|$)/ {print $1}' "$DEPENDENCY_LIST"; }
+
+# Those of them that are not installed, one a line.
+missing_packages() {
+  comm -23 <(listed_packages | sort -u) \
+    <(listed_packages | xargs dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null |
+      awk '$1 == "installed" {print $2}' | sort -u)
+}
+
+# as_root COMMAND...: by sudo where the user is not root.
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# Turns apt-get's status lines into a progress line and copies the rest to the log.
+# A status line reads <dlstatus|pmstatus>:<package>:<percent>:<what it does>.
+watch_apt() {
+  local line
+  while IFS= read -r line; do
+    if [[ $line =~ ^(dl|pm)status:[^:]*(:[^:0-9][^:]*)?:([0-9]+)[.0-9]*:(.*)$ ]]; then
+      local step='download'
+      [[ ${BASH_REMATCH[1]} == pm ]] && step='install'
+      show_progress "$step" "${BASH_REMATCH[3]}" 100 "${BASH_REMATCH[4]}"
+    else
+      printf '%s\n' "$line" >>"$LOG_DIR/apt.log"
+    fi
+  done
+  finish_progress
+}
+
+run_apt() {
+  as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get -y -q \
+    -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=600 "$@" 2>&1 | watch_apt
+}
+
+apt_failed() {
+  die "$1" "$(grep -a '^E:' "$LOG_DIR/apt.log" | tail -n 3)" \
+    "All that apt-get said is in $LOG_DIR/apt.log."
+}
+
+# Installs what is missing; at once done where nothing is.
+install_dependencies() {
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    die 'This is not Debian: apt-get was not found.' \
+      "Install what $DEPENDENCY_LIST names by other means, then build with cmake."
+  local missing
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]} > 0)) || return 0
+  ((EUID == 0)) || command -v sudo >/dev/null ||
+    die "${#missing[@]} packages are missing, and neither is this user root nor is sudo there." \
+      "As root: apt-get install --no-install-recommends ${missing[*]}"
+
+  say "Installing ${#missing[@]} missing packages and what they need: ${missing[*]}"
+  : >"$LOG_DIR/apt.log"
+  run_apt update || apt_failed 'The list of packages could not be updated.'
+  run_apt install --no-install-recommends "${missing[@]}" ||
+    apt_failed 'Packages could not be installed.'
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]} == 0)) || apt_failed "Still missing after the installation: ${missing[*]}."
+}
