@@ -1,0 +1,43 @@
+#include "nodes/common/run_recorder_end.h"
+
+namespace omega_slam {
+
+RunEnd::Phase RunEnd::update(const RunProgress& progress) {
+  if (phase_ == Phase::kRunning) {
+    reason_ = findReason(progress);
+    if (reason_.empty()) {
+      return phase_;
+    }
+    phase_ = Phase::kSettling;
+    end_time_ = progress.time;
+    end_wall_time_ = progress.wall_time;
+  }
+  if (phase_ == Phase::kSettling) {
+    settled_ = hasSettled(progress);
+    if (settled_ || progress.wall_time - end_wall_time_ >= config_.settle_deadline) {
+      phase_ = Phase::kOver;
+    }
+  }
+  return phase_;
+}
+
+std::string RunEnd::findReason(const RunProgress& progress) const {
+  const std::string stuck = "stuck";
+  if (progress.route_status == "done") {
+    return "route done";
+  }
+  if (progress.route_status.compare(0, stuck.size(), stuck) == 0) {
+    return "robot " + progress.route_status;
+  }
+  if (config_.duration > 0.0 && progress.elapsed >= config_.duration) {
+    return "time is up";
+  }
+  return {};
+}
+
+bool RunEnd::hasSettled(const RunProgress& progress) const {
+  return progress.time - end_time_ >= config_.settle_time &&
+         progress.graph_poses >= progress.keyframes && progress.map_stamp >= progress.graph_stamp;
+}
+
+}  // namespace omega_slam
