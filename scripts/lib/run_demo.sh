@@ -1,0 +1,111 @@
+# Builds and runs the demo on a ROS master of its own. Needs common.sh and build.sh.
+
+DEMO_TREE=$OMEGA_SLAM_ROOT/build/demo
+
+# is_number TEXT: true for 0, 3 and 2.5.
+is_number() { [[ $1 =~ ^[0-9]+(\.[0-9]+)?$ ]]; }
+
+# build_demo JOBS
+build_demo() {
+  configure_tree "$DEMO_TREE" -DWITH_ROS=ON -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    "-DCATKIN_DEVEL_PREFIX=$DEMO_TREE/devel" || die 'The demo could not be configured.'
+  build_tree "$DEMO_TREE" "$1" || die 'The demo could not be built.'
+}
+
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
+}
+
+# A ROS of our own: the caller's master, names and log folders stay out of it.
+# enter_ros OUT
+enter_ros() {
+  set +u
+  source "$DEMO_TREE/devel/setup.bash"
+  set -u
+  unset ROS_IP ROS_NAMESPACE
+  export ROS_HOSTNAME=localhost
+  ROS_MASTER_URI=http://localhost:$(free_port)
+  export ROS_MASTER_URI
+  export ROS_LOG_DIR=$1/log
+}
+
+# alive PROCESS
+alive() { kill -0 "$1" 2>/dev/null; }
+
+# stop PROCESS SECONDS: politely first.
+stop() {
+  local process=$1 tenths=$(($2 * 10))
+  alive "$process" || return 0
+  kill -INT "$process" 2>/dev/null || return 0
+  while alive "$process" && ((tenths-- > 0)); do sleep 0.1; done
+  kill -KILL "$process" 2>/dev/null || true
+}
+
+# Waits until the nodes are there; by then roslaunch has set every parameter.
+wait_for_nodes() {
+  local attempt
+  for ((attempt = 0; attempt < 60; ++attempt)); do
+    alive "$NODES" || return 1
+    if rosnode list 2>/dev/null | grep -qx /simulator; then return 0; fi
+    sleep 0.2 || true
+  done
+  return 1
+}
+
+# What the nodes had to say, where it matters: their warnings and errors, each once.
+show_complaints() {
+  grep -aE '\[ ?(WARN|ERROR|FATAL)\]|^RLException|has died' "$1" | sed -E 's/\x1b\[[0-9;]*m//g' |
+    awk '!seen[$0]++' | tail -n 12
+}
+
+# Processes of the run; 0 while there is none.
+NODES=0    # roslaunch, which holds the nodes
+RECORDER=0 # run_recorder, which shows the status and saves the results
+
+stop_run() {
+  trap - EXIT INT TERM HUP
+  ((RECORDER == 0)) || stop "$RECORDER" 15
+  ((NODES == 0)) || stop "$NODES" 25
+}
+
+# run_demo OUT ROSLAUNCH_ARGUMENT...: ends when the run ends; Ctrl-C ends it early.
+#
+# Nodes and recorder have sessions of their own, so that Ctrl-C in the terminal reaches this script
+# alone: it lets the recorder save what the nodes have made before it stops them.
+run_demo() {
+  local out=$1 log=$1/log/nodes.log
+  shift
+  mkdir -p "$out/log"
+  rm -f "$out"/{map.pgm,map.yaml,map.png,trajectory.tum,graph.g2o,report.md,report.json}
+  enter_ros "$out"
+  trap stop_run EXIT
+  trap 'exit 130' INT TERM HUP
+  setsid roslaunch --port "${ROS_MASTER_URI##*:}" omega_slam demo.launch record:=false \
+    results:="$out" "$@" >"$log" 2>&1 </dev/null &
+  NODES=$!
+  if ! wait_for_nodes; then
+    show_complaints "$log"
+    die "The nodes did not start. All that they said is in $log."
+  fi
+  watch_run "$log"
+  stop_run
+}
+
+# watch_run LOG
+watch_run() {
+  local code=0
+  setsid "$DEMO_TREE/devel/lib/omega_slam/run_recorder" </dev/null &
+  RECORDER=$!
+  trap 'kill -INT "$RECORDER" 2>/dev/null || true' INT TERM HUP
+  while alive "$RECORDER" && alive "$NODES"; do sleep 0.3 || true; done
+  if alive "$RECORDER"; then
+    kill -INT "$RECORDER"
+    say '' 'A node has ended before its time; what there is so far is saved:'
+    show_complaints "$1"
+  fi
+  # A signal ends `wait` before the process has ended.
+  while alive "$RECORDER"; do wait "$RECORDER" || true; done
+  wait "$RECORDER" || code=$?
+  RECORDER=0
+  ((code == 0)) || die "The results could not be saved completely. The nodes' log is $1."
+}
