@@ -82,11 +82,11 @@ Reading<slam::Keyframe> keyframeFromRos(const Keyframe& keyframe) {
   return {std::move(read), {}};
 }
 
-Keyframe keyframeToRos(const slam::Keyframe& keyframe, const ros::Time& stamp,
-                       const std::string& base_frame) {
+Keyframe keyframeToRos(const slam::Keyframe& keyframe, const std_msgs::Header& header,
+                       std::uint64_t run) {
   Keyframe message;
-  message.header.stamp = stamp;
-  message.header.frame_id = base_frame;
+  message.header = header;
+  message.run = run;
   message.id = keyframe.id;
   message.odometry = pose2ToRos(keyframe.T_odom_base);
   message.laser = pose2ToRos(keyframe.sweep.T_base_laser);
@@ -173,17 +173,13 @@ Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
   return {std::move(read), {}};
 }
 
-PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps,
-                         double chi_square, const std::string& map_frame) {
+PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps) {
   PoseGraph message;
-  message.header.frame_id = map_frame;
-  message.header.stamp = stamps.empty() ? ros::Time(0) : stamps.back();
   for (const geometry::Pose2& pose : graph.poses) {
     message.poses.push_back(pose2ToRos(pose));
   }
   message.stamps = stamps;
   message.constraints = constraintsToRos(graph.constraints);
-  message.chi_square = chi_square;
   return message;
 }
 

@@ -4,7 +4,9 @@
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
 #include <ros/time.h>
+#include <std_msgs/Header.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +29,10 @@ struct Reading {
 /// an angle_increment that is not positive, an unknown kind of beam.
 [[nodiscard]] Reading<slam::Keyframe> keyframeFromRos(const Keyframe& keyframe);
 
-/// @param stamp the scan's own, to the nanosecond, which a double can't hold
-[[nodiscard]] Keyframe keyframeToRos(const slam::Keyframe& keyframe, const ros::Time& stamp,
-                                     const std::string& base_frame);
+/// @param header the scan's own stamp, to the nanosecond, which a double can't hold; the base frame
+/// @param run    number of the run, as in PoseGraph
+[[nodiscard]] Keyframe keyframeToRos(const slam::Keyframe& keyframe, const std_msgs::Header& header,
+                                     std::uint64_t run);
 
 /// Faults: a node tied to itself, numbers that are not finite, information that is not symmetric
 /// and positive semi-definite, an unknown kind, a confidence outside of [0, 1].
@@ -43,9 +46,9 @@ struct Reading {
 /// that exist.
 [[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
 
-/// @param stamps of the keyframes, as many as there are poses
+/// Run and header are left to the caller. @param stamps of the keyframes, as many as there are
+/// poses
 [[nodiscard]] PoseGraph poseGraphToRos(const graph::PoseGraph& graph,
-                                       const std::vector<ros::Time>& stamps, double chi_square,
-                                       const std::string& map_frame);
+                                       const std::vector<ros::Time>& stamps);
 
 }  // namespace omega_slam
