@@ -1,0 +1,229 @@
+#include "omega_slam/mapping/occupancy_mapper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "omega_slam/grid/ray_traversal.h"
+
+namespace omega_slam::mapping {
+namespace {
+
+using grid::Cell;
+
+/// Cell numbers beyond this are refused: sums and differences of them must fit into an int.
+constexpr double kFarthestCell = 1 << 29;
+
+Cell cellOf(const Eigen::Vector2d& point) { return point.array().floor().cast<int>(); }
+
+using Box = Eigen::AlignedBox<int, 2>;
+
+std::size_t columns(const Box& box) { return static_cast<std::size_t>(box.sizes().x()) + 1; }
+
+std::size_t cellCount(const Box& box) {
+  return columns(box) * (static_cast<std::size_t>(box.sizes().y()) + 1);
+}
+
+/// Row-major index of a cell among those of a box that holds it.
+std::size_t indexIn(const Box& box, const Cell& cell) {
+  return static_cast<std::size_t>(cell.y() - box.min().y()) * columns(box) +
+         static_cast<std::size_t>(cell.x() - box.min().x());
+}
+
+bool isPositive(double value) { return std::isfinite(value) && value > 0.0; }
+
+}  // namespace
+
+std::vector<std::string> OccupancyMapperConfig::validate() const {
+  std::vector<std::string> faults;
+  const auto require = [&faults](bool good, const std::string& sentence) {
+    if (!good) {
+      faults.push_back(sentence);
+    }
+  };
+  require(isPositive(resolution),
+          fmt::format("resolution must be above 0 m, but it is {}.", resolution));
+  require(std::isfinite(max_range) && max_range >= 0.0,
+          fmt::format("max_range must be 0 (no limit) or above, but it is {}.", max_range));
+  require(occupied_threshold > 0.0 && occupied_threshold <= 1.0,
+          fmt::format("occupied_threshold must be above 0 and at most 1, but it is {}.",
+                      occupied_threshold));
+  require(min_observations >= 1,
+          fmt::format("min_observations must be 1 or more, but it is {}.", min_observations));
+  require(isPositive(max_extent),
+          fmt::format("max_extent must be above 0 m, but it is {}.", max_extent));
+  return faults;
+}
+
+OccupancyMapper::OccupancyMapper(const OccupancyMapperConfig& config) : config_(config) {
+  const std::vector<std::string> faults = config.validate();
+  if (!faults.empty()) {
+    throw std::invalid_argument(fmt::format("{}", fmt::join(faults, " ")));
+  }
+}
+
+std::string OccupancyMapper::add(const sensing::Sweep& sweep, const geometry::Pose2& T_map_base) {
+  if (const std::string reason = prepare(sweep, T_map_base); !reason.empty()) {
+    return reason;
+  }
+  if (rays_.empty()) {
+    return {};
+  }
+  Box box(cellOf(start_));
+  for (const Ray& ray : rays_) {
+    box.extend(cellOf(ray.end));
+  }
+  box.extend(touched_);
+  if (const std::string reason = whyTooLarge(box); !reason.empty()) {
+    return reason;
+  }
+  growTo(box);
+  touched_ = box;
+  draw();
+  return {};
+}
+
+/// Turns the beams into rays in cells of the map, no longer than they are to be drawn.
+std::string OccupancyMapper::prepare(const sensing::Sweep& sweep,
+                                     const geometry::Pose2& T_map_base) {
+  rays_.clear();
+  const geometry::Pose2 T_map_laser = T_map_base * sweep.T_base_laser;
+  if (!T_map_laser.isFinite()) {
+    return "the pose of the laser in the map is not finite";
+  }
+  start_ = T_map_laser.translation() / config_.resolution;
+  double farthest = start_.cwiseAbs().maxCoeff();
+  const double max_length = config_.max_range > 0.0 ? config_.max_range / config_.resolution
+                                                    : std::numeric_limits<double>::infinity();
+  for (const sensing::Beam& beam : sweep.beams) {
+    if (beam.kind == sensing::BeamKind::kUnknown) {
+      continue;
+    }
+    const Eigen::Vector2d full = (T_map_base * beam.end) / config_.resolution - start_;
+    const double length = full.norm();
+    if (!std::isfinite(length)) {
+      return "the end of a beam is not finite";
+    }
+    const bool whole = length <= max_length;
+    const Eigen::Vector2d end = start_ + (whole ? full : full * (max_length / length));
+    farthest = std::max(farthest, end.cwiseAbs().maxCoeff());
+    rays_.push_back({end, whole && beam.kind == sensing::BeamKind::kReturn});
+  }
+  if (farthest > kFarthestCell) {
+    return fmt::format("it reaches {:.6g} m away from the origin of the map",
+                       farthest * config_.resolution);
+  }
+  return {};
+}
+
+std::string OccupancyMapper::whyTooLarge(const Box& box) const {
+  const Eigen::Array2d cells = (box.sizes().array() + 1).cast<double>();
+  const Eigen::Array2d extent = cells * config_.resolution;
+  if (extent.maxCoeff() > config_.max_extent) {
+    return fmt::format("the map would span {:.6g} m by {:.6g} m, which is above the limit of {} m",
+                       extent.x(), extent.y(), config_.max_extent);
+  }
+  if (cells.prod() > static_cast<double>(kMaxCells)) {
+    return fmt::format("the map would have {:.0f} x {:.0f} cells, which is more than {}", cells.x(),
+                       cells.y(), kMaxCells);
+  }
+  return {};
+}
+
+void OccupancyMapper::growTo(const Box& needed) {
+  if (stored_.contains(needed)) {
+    return;
+  }
+  // A margin of a quarter on each side makes the copies, over a long drive, cost as much in the sum
+  // as the final map. Near the largest map there is no room for one.
+  constexpr int kLeastMargin = 64;
+  const Cell margin = (needed.sizes().array() / 4 + kLeastMargin).matrix();
+  Box grown(needed.min() - margin, needed.max() + margin);
+  if (cellCount(grown) > kMaxCells) {
+    grown = needed;
+  }
+  std::vector<CellCounts> counts(cellCount(grown));
+  // Only what was touched can be other than zero; it lies within what is needed.
+  for (int y = touched_.min().y(); !touched_.isEmpty() && y <= touched_.max().y(); ++y) {
+    const auto from = static_cast<std::ptrdiff_t>(indexIn(stored_, {touched_.min().x(), y}));
+    const auto to = static_cast<std::ptrdiff_t>(indexIn(grown, {touched_.min().x(), y}));
+    std::copy_n(counts_.begin() + from, touched_.sizes().x() + 1, counts.begin() + to);
+  }
+  counts_ = std::move(counts);
+  stored_ = grown;
+}
+
+void OccupancyMapper::beginSweep() {
+  if (++sweep_number_ == 0) {  // after 2^32 sweeps the numbers start again
+    std::for_each(counts_.begin(), counts_.end(), [](CellCounts& c) { c.last_sweep = 0; });
+    sweep_number_ = 1;
+  }
+}
+
+void OccupancyMapper::draw() {
+  beginSweep();
+  const std::size_t stride = columns(stored_);
+  const Cell corner = stored_.min();
+  const auto at = [this, stride, corner](const Cell& cell) -> CellCounts& {
+    return counts_[static_cast<std::size_t>(cell.y() - corner.y()) * stride +
+                   static_cast<std::size_t>(cell.x() - corner.x())];
+  };
+  // Hits first: what a beam ends in, no other beam of this sweep may clear.
+  for (const Ray& ray : rays_) {
+    if (ray.hit) {
+      CellCounts& end = at(cellOf(ray.end));
+      if (end.claim(sweep_number_)) {
+        end.hit();
+      }
+    }
+  }
+  for (const Ray& ray : rays_) {
+    grid::traverseCells(start_, ray.end, [this, &at](const Cell& cell) {
+      CellCounts& passed = at(cell);
+      if (passed.claim(sweep_number_)) {
+        passed.miss();
+      }
+    });
+  }
+}
+
+std::int8_t OccupancyMapper::verdict(const CellCounts& counts) const {
+  const std::uint64_t observations = counts.observations();
+  if (observations < static_cast<std::uint64_t>(config_.min_observations)) {
+    return grid::kUnknown;
+  }
+  const double share = static_cast<double>(counts.hits) / static_cast<double>(observations);
+  return share >= config_.occupied_threshold ? grid::kOccupied : grid::kFree;
+}
+
+grid::OccupancyGrid OccupancyMapper::render() const {
+  if (touched_.isEmpty()) {
+    grid::OccupancyGrid empty;
+    empty.geometry.resolution = config_.resolution;
+    return empty;
+  }
+  const Cell size = touched_.sizes() + Cell::Ones();
+  grid::OccupancyGrid map = grid::makeGrid(
+      {config_.resolution, touched_.min().cast<double>() * config_.resolution, size.x(), size.y()},
+      grid::kUnknown);
+  for (int y = 0; y < size.y(); ++y) {
+    const std::size_t row = indexIn(stored_, touched_.min() + Cell(0, y));
+    for (int x = 0; x < size.x(); ++x) {
+      map.at({x, y}) = verdict(counts_[row + static_cast<std::size_t>(x)]);
+    }
+  }
+  return map;
+}
+
+void OccupancyMapper::clear() {
+  touched_.setEmpty();
+  stored_.setEmpty();
+  counts_.clear();
+  counts_.shrink_to_fit();
+  sweep_number_ = 0;
+}
+
+}  // namespace omega_slam::mapping
