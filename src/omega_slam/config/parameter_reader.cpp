@@ -200,7 +200,7 @@ void ParameterReader::read(const std::string& key, std::string& value,
 
 void ParameterReader::read(const std::string& key, std::vector<double>& value, Range range) {
   const YAML::Node found = find(key);
-  const std::string expected = "a list, each value of it " + expectedNumber(range);
+  const std::string expected = expectation("a list of numbers", range, Range{});
   if (kindOf(found) == ValueKind::kList) {
     std::vector<double> numbers;
     for (const YAML::Node& element : found) {
@@ -230,9 +230,13 @@ ParameterReader ParameterReader::group(const std::string& key) {
 }
 
 void ParameterReader::fault(const std::string& sentence) {
-  const std::string path = state_->prefix + path_;
-  const std::string subject = path.empty() ? "" : '`' + path.substr(0, path.size() - 1) + "`: ";
-  state_->faults.push_back(state_->where({}) + subject + sentence);
+  const std::size_t first_word = std::min(sentence.find(' '), sentence.size());
+  const std::string key = path_ + sentence.substr(0, first_word);
+  std::string named = sentence;
+  if (state_->keys.count(key) > 0) {
+    named.replace(0, first_word, state_->name(key));
+  }
+  state_->faults.push_back(state_->where({}) + named);
 }
 
 void ParameterReader::faults(const std::vector<std::string>& sentences) {

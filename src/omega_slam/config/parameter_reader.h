@@ -56,7 +56,8 @@ class ParameterReader {
   /// reader's.
   [[nodiscard]] ParameterReader group(const std::string& key);
 
-  /// Adds a fault found by somebody else, such as a config's validate().
+  /// Adds a fault found by somebody else, such as a config's validate(). A first word that is a key
+  /// of this group is given its full name.
   void fault(const std::string& sentence);
   void faults(const std::vector<std::string>& sentences);
 

@@ -5,16 +5,15 @@
 namespace omega_slam::config {
 namespace {
 
-// Beyond these no robot that drives in a plane is described, and the number is a slip of the pen.
+// Beyond these, no robot that drives in a plane is described, and the number is a slip of the pen.
 constexpr Range kShare{0.0, 1.0};
-constexpr Range kLength{0.0, 1000.0};           // [m]
-constexpr Range kPositiveLength{1e-3, 1000.0};  // [m]
-constexpr Range kAngle{0.0, 3.15};              // [rad]
-constexpr Range kDuration{0.0, 3600.0};         // [s]
-constexpr Range kRate{0.1, 1000.0};             // [Hz]
-constexpr Range kNoise{0.0, 10.0};              // standard deviation per unit of motion
-constexpr Range kCount{0, 1000000};
-constexpr Range kPositiveCount{1, 1000000};
+constexpr Range kLength{0.0, 1000.0};            // [m]
+constexpr Range kPositiveLength{0.001, 1000.0};  // [m]
+constexpr Range kDuration{0.0, 3600.0};          // [s]
+constexpr Range kRate{0.1, 1000.0};              // [Hz]
+constexpr Range kNoise{0.0, 10.0};               // standard deviation per unit of motion
+constexpr Range kCount{0.0, 1000.0};
+constexpr Range kPositiveCount{1.0, 1000.0};
 
 /// A frame is named without the leading '/' of tf1, which tf2 refuses.
 void readFrame(ParameterReader& reader, const std::string& key, std::string& frame) {
@@ -44,7 +43,7 @@ void read(ParameterReader reader, sensing::ScanIntakeConfig& config) {
   reader.read("max_range", config.max_range, kLength);
   reader.read("no_return_range", config.no_return_range, kLength);
   reader.read("nan_is_no_return", config.nan_is_no_return);
-  reader.read("min_beams", config.min_beams, kPositiveCount);
+  reader.read("min_beams", config.min_beams, {1.0, 100000.0});
   reader.faults(config.validate());
 }
 
@@ -53,13 +52,13 @@ void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
   reader.read("max_iterations", config.max_iterations, kPositiveCount);
   reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
   reader.read("outlier_distance", config.outlier_distance, kPositiveLength);
-  reader.read("min_returns", config.min_returns, kPositiveCount);
-  reader.read("range_noise", config.range_noise, {1e-4, 10.0});
+  reader.read("min_returns", config.min_returns, {3.0, 10000.0});
+  reader.read("range_noise", config.range_noise, {0.0001, 10.0});
 }
 
 void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.read("search_radius", config.search_radius, kPositiveLength);
-  reader.read("min_separation", config.min_separation, kPositiveCount);
+  reader.read("min_separation", config.min_separation, {1.0, 100000.0});
   reader.read("max_candidates", config.max_candidates, kCount);
   reader.read("neighbours", config.neighbours, kCount);
   reader.read("min_confidence", config.min_confidence, kShare);
@@ -92,7 +91,7 @@ void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
   read(reader.group("scans"), config.intake);
   slam::FrontEndConfig& front_end = config.front_end;
   reader.read("keyframe_translation", front_end.keyframe_translation, kPositiveLength);
-  reader.read("keyframe_rotation", front_end.keyframe_rotation, kAngle);
+  reader.read("keyframe_rotation", front_end.keyframe_rotation, {0.001, 3.15});
   reader.read("keyframe_time", front_end.keyframe_time, kDuration);
   reader.read("local_keyframes", front_end.local_keyframes, kPositiveCount);
   reader.read("min_confidence", front_end.min_confidence, kShare);
@@ -106,6 +105,8 @@ void read(ParameterReader& reader, GraphSlamNodeConfig& config) {
   readFrame(reader, "odom_frame", config.odom_frame);
   reader.read("transform_rate", config.transform_rate, kRate);
   reader.read("transform_tolerance", config.transform_tolerance, kDuration);
+  reader.read("solve_error", config.back_end.solve_error, {0.0, 1000.0});
+  reader.read("solve_interval", config.back_end.solve_interval, kPositiveCount);
   read(reader.group("solver"), config.back_end.solver);
   reader.faults(config.back_end.validate());
 }
@@ -118,7 +119,7 @@ void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
     reader.fault("save_stem must not be empty.");
   }
   mapping::OccupancyMapperConfig& mapper = config.mapper;
-  reader.read("resolution", mapper.resolution, {1e-3, 10.0});
+  reader.read("resolution", mapper.resolution, {0.001, 10.0});
   reader.read("max_range", mapper.max_range, kLength);
   reader.read("occupied_threshold", mapper.occupied_threshold, kShare);
   reader.read("min_observations", mapper.min_observations, kPositiveCount);

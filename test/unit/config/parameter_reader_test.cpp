@@ -174,7 +174,7 @@ TEST(ParameterReader, ListNamesTheFaultyElement) {
   EXPECT_EQ(faultsOf("l: [1, two]", read),
             "`scan_matcher/l[1]` is the text \"two\", but a number in [0, 9] is expected.");
   EXPECT_EQ(faultsOf("l: 1", read),
-            "`scan_matcher/l` is 1, but a list, each value of it a number in [0, 9] is expected.");
+            "`scan_matcher/l` is 1, but a list of numbers in [0, 9] is expected.");
   EXPECT_THAT(l, ElementsAre(7.0));
   EXPECT_EQ(faultsOf("l: []", read), "");
   EXPECT_TRUE(l.empty());
@@ -223,13 +223,13 @@ TEST(ParameterReader, AllFaultsComeTogetherALineEach) {
                  ParameterReader icp = reader.group("icp");
                  icp.read("i", i, {1.0, 9.0});
                  icp.fault("i must be odd.");
-                 reader.faults({"d is odd.", "d is even."});
+                 reader.faults({"d is odd.", "icp/i is more than d."});
                }),
       "`scan_matcher/d` is the text \"x\", but a number is expected.\n"
       "`scan_matcher/icp/i` is 0, but an integer in [1, 9] is expected.\n"
-      "`scan_matcher/icp`: i must be odd.\n"
-      "`scan_matcher`: d is odd.\n"
-      "`scan_matcher`: d is even.\n"
+      "`scan_matcher/icp/i` must be odd.\n"
+      "`scan_matcher/d` is odd.\n"
+      "`scan_matcher/icp/i` is more than d.\n"
       "there is no parameter `scan_matcher/icp/j`; the nearest known key is `scan_matcher/icp/i`.");
 }
 
@@ -296,7 +296,7 @@ TEST(ParameterReader, ReportsTheParametersInForce) {
   }
   EXPECT_THAT(lines,
               ElementsAre("0.25, a number in [0, 1]", "3, an integer >= 1", "true, true or false",
-                          "\"odom\", text", "[1, 0.5], a list, each value of it a number"));
+                          "\"odom\", text", "[1, 0.5], a list of numbers"));
 }
 
 TEST(ParameterReader, LeavesTheTreeAsItIs) {
