@@ -19,10 +19,8 @@ if(OMEGA_SLAM_SRVS)
 endif()
 generate_messages(DEPENDENCIES std_msgs)
 
-catkin_package(
-  INCLUDE_DIRS src
-  LIBRARIES omega_slam omega_slam_ros
-  CATKIN_DEPENDS message_runtime roscpp std_msgs)
+# Others get the messages by ${omega_slam_INCLUDE_DIRS}, the library by omega_slam::omega_slam.
+catkin_package(CATKIN_DEPENDS message_runtime std_msgs CFG_EXTRAS omega_slam-extras.cmake)
 
 set(OMEGA_SLAM_BIN_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 set(OMEGA_SLAM_SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

@@ -1,0 +1,16 @@
+# For packages that link omega_slam::omega_slam: the third-party libraries it stands on, then itself.
+# Within one workspace the library itself is at hand.
+if(TARGET omega_slam::omega_slam)
+  return()
+endif()
+include(CMakeFindDependencyMacro)
+set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
+find_dependency(Eigen3)
+find_dependency(PCL COMPONENTS common kdtree search registration)
+find_dependency(OpenCV COMPONENTS core imgproc imgcodecs)
+find_dependency(yaml-cpp)
+find_dependency(fmt)
+find_dependency(nlohmann_json)
+find_dependency(CLI11)
+find_dependency(Threads)
+include(${omega_slam_DIR}/omega_slam-targets.cmake)
