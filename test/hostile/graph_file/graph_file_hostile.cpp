@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "omega_slam/graph/graph_file.h"
+#include "support/seeds.h"
+#include "support/temporary_folder.h"
+
+namespace omega_slam::graph {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string complaint(const std::string& text) {
+  try {
+    static_cast<void>(fromG2o(text, "bad.g2o"));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(GraphFileHostile, FaultsNameFileLineAndReason) {
+  const std::string two = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n";
+  struct Row {
+    const char* line;
+    const char* says;
+  };
+  const Row rows[] = {
+      {"VERTEX_SE2 1 5 5 5", "bad.g2o:3: VERTEX_SE2: node 1 was there before."},
+      {"VERTEX_SE2", "bad.g2o:3: VERTEX_SE2: an id is missing or not a whole number"},
+      {"VERTEX_SE2 x 0 0 0", "an id is missing or not a whole number"},
+      {"VERTEX_SE2 -1 0 0 0", "an id is missing or not a whole number"},
+      {"VERTEX_SE2 4294967296 0 0 0", "an id is missing or not a whole number"},
+      {"VERTEX_SE2 2 0 0", "bad.g2o:3: VERTEX_SE2: a field is missing or not a finite number."},
+      {"VERTEX_SE2 2 nan 0 0", "a field is missing or not a finite number"},
+      {"VERTEX_SE2 2 0 inf 0", "a field is missing or not a finite number"},
+      {"VERTEX_SE2 2 0 1e999 0", "a field is missing or not a finite number"},
+      {"VERTEX_SE2 2 0 0 zero", "a field is missing or not a finite number"},
+      {"VERTEX_SE2 2 0 0 0 9", "bad.g2o:3: VERTEX_SE2: there is more than expected: '9'."},
+      {"EDGE_SE2 0 7 0 0 0 1 0 0 1 0 1", "bad.g2o:3: node 7 is not in the file."},
+      {"EDGE_SE2 8 1 0 0 0 1 0 0 1 0 1", "bad.g2o:3: node 8 is not in the file."},
+      {"EDGE_SE2 1 1 0 0 0 1 0 0 1 0 1", "EDGE_SE2: node 1 is tied to itself."},
+      {"EDGE_SE2 0 1 0 0 0 1 0 0 1 0", "a field is missing or not a finite number"},
+      {"EDGE_SE2 0 1 0 0 0 1 0 0 nan 0 1", "a field is missing or not a finite number"},
+      {"EDGE_SE2 0 1 0 0 0 -1 0 0 1 0 1", "the information matrix is not positive semi-definite"},
+      {"EDGE_SE2 0 1 0 0 0 1 5 0 1 0 1", "the information matrix is not positive semi-definite"},
+      {"FIX 9", "bad.g2o:3: node 9 is not in the file."},
+      {"FIX", "FIX: an id is missing"},
+      {"VERTEX_SE3:QUAT 2 0 0 0 0 0 0 1", "VERTEX_SE3:QUAT: this tag is unknown here"},
+      {"vertex_se2 2 0 0 0", "vertex_se2: this tag is unknown here"},
+  };
+  for (const Row& row : rows) {
+    EXPECT_THAT(complaint(two + row.line + "\n"), HasSubstr(row.says)) << row.line;
+  }
+}
+
+TEST(GraphFileHostile, SemiDefiniteInformationIsGood) {
+  EXPECT_EQ(complaint("VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 0 0 0 0 0 0 0 0 0\n"
+                      "EDGE_SE2 0 1 0 0 0 1 1 0 1 0 0\n"),
+            "");
+}
+
+TEST(GraphFileHostile, AGapInTheChainOfEdges) {
+  EXPECT_EQ(
+      complaint("EDGE_SE2 0 1 0 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 0 0 0 1 0 0 1 0 1\n"),
+      "bad.g2o: there are no vertices, and no edge leads from node 1 to node 2 to make up for "
+      "it.");
+  // An absurd id is found out at the first gap, and does not fill the memory.
+  EXPECT_THAT(complaint("EDGE_SE2 0 4294967295 0 0 0 1 0 0 1 0 1\n"),
+              HasSubstr("from node 0 to node 1"));
+}
+
+TEST(GraphFileHostile, FilesThatCannotBeRead) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(static_cast<void>(loadGraph(folder.path() / "absent.g2o")), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(loadGraph(folder.path())), std::runtime_error);
+}
+
+TEST(GraphFileHostile, DamagedTextNeverDoesWorseThanAnError) {
+  const std::string good =
+      "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nFIX 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
+  for (const std::uint64_t seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    for (int trial = 0; trial < 1000; ++trial) {
+      std::string text = good;
+      for (int change = 0; change < 3; ++change) {
+        text[random() % text.size()] = static_cast<char>(random() % 256);
+      }
+      try {
+        const PoseGraph graph = fromG2o(text, "bad.g2o");
+        for (const Constraint& constraint : graph.constraints) {
+          ASSERT_LT(constraint.from, graph.poses.size());
+          ASSERT_LT(constraint.to, graph.poses.size());
+        }
+      } catch (const std::runtime_error& error) {
+        ASSERT_THAT(error.what(), HasSubstr("bad.g2o"));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace omega_slam::graph
