@@ -4,6 +4,7 @@
 // header.
 #pragma GCC diagnostic ignored "-Warray-bounds"
 
+#include <pcl/console/print.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
@@ -70,6 +71,9 @@ std::vector<std::string> IcpMatcherConfig::validate() const {
 
 IcpMatcher::IcpMatcher(const IcpMatcherConfig& config) : config_(config) {
   geometry::throwIfAny(config_.validate());
+  // PCL prints to stderr when two scans do not overlap; here that is an answer, which the caller
+  // gets.
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
 }
 
 MatchResult IcpMatcher::match(const Points& reference, const Points& scan,

@@ -1,0 +1,76 @@
+#include "omega_slam/matching/icp_matcher.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/room.h"
+
+namespace omega_slam::matching {
+namespace {
+
+using geometry::Pose2;
+
+void expectFinite(const MatchResult& result) {
+  EXPECT_TRUE(result.T_reference_scan.isFinite());
+  EXPECT_TRUE(result.covariance.allFinite());
+  EXPECT_GE(result.confidence, 0.0);
+  EXPECT_LE(result.confidence, 1.0);
+}
+
+Points roomSeenFrom(const Pose2& pose) {
+  std::mt19937_64 random(1);
+  return test::measurePoints(test::furnishedRoom(), pose, 180, 0.01, random);
+}
+
+TEST(IcpMatcherHostile, TooFewReturnsAreRefused) {
+  const IcpMatcher matcher;
+  const Points room = roomSeenFrom({});
+  for (const Points& few : {Points{}, Points{{1.0, 0.0}}, Points(29, {1.0, 1.0})}) {
+    const auto as_scan = matcher.match(room, few, {0.1, 0.2, 0.3});
+    EXPECT_EQ(as_scan.failure, MatchFailure::kTooFewReturns);
+    EXPECT_EQ(as_scan.T_reference_scan.x, 0.1) << "the guess stands";
+    EXPECT_EQ(as_scan.confidence, 0.0);
+    expectFinite(as_scan);
+    EXPECT_EQ(matcher.match(few, room, {}).failure, MatchFailure::kTooFewReturns);
+  }
+}
+
+TEST(IcpMatcherHostile, ScansThatDoNotOverlapAreRefused) {
+  const Points room = roomSeenFrom({});
+  const auto result = IcpMatcher().match(room, room, {50.0, 0.0, 0.0});
+  EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
+  EXPECT_EQ(result.confidence, 0.0);
+  expectFinite(result);
+}
+
+TEST(IcpMatcherHostile, AllPointsInOnePlace) {
+  const Points heap(100, {1.0, 1.0});
+  expectFinite(IcpMatcher().match(heap, heap, {}));
+  expectFinite(IcpMatcher().match(roomSeenFrom({}), heap, {}));
+}
+
+TEST(IcpMatcherHostile, GuessThatIsNotFinite) {
+  const Points room = roomSeenFrom({});
+  expectFinite(IcpMatcher().match(room, room, {std::nan(""), 0.0, 0.0}));
+}
+
+TEST(IcpMatcherHostile, OneIterationStillAnswers) {
+  IcpMatcherConfig config;
+  config.max_iterations = 1;
+  const auto result = IcpMatcher(config).match(roomSeenFrom({}), roomSeenFrom({0.1, 0.0, 0.1}), {});
+  EXPECT_FALSE(result.converged);
+  expectFinite(result);
+}
+
+TEST(IcpMatcherHostile, SenselessConfigurationThrows) {
+  IcpMatcherConfig config;
+  config.max_iterations = 0;
+  config.outlier_distance = 1.0;  // above max_correspondence_distance
+  config.range_noise = 0.0;
+  EXPECT_EQ(config.validate().size(), 3U);
+  EXPECT_THROW(IcpMatcher{config}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace omega_slam::matching

@@ -1,0 +1,61 @@
+#include "omega_slam/matching/match_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/room.h"
+
+namespace omega_slam::matching {
+namespace {
+
+const MatchQualityConfig kConfig;
+
+TEST(MatchQuality, PerfectMatchIsConfidentAndTight) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::furnishedRoom(), {}, 360, 0.0, random);
+  const MatchResult result = judgeMatch(scan, scan, {}, kConfig);
+  EXPECT_DOUBLE_EQ(result.overlap, 1.0);
+  EXPECT_NEAR(result.residual, 0.0, 1e-9);
+  EXPECT_GT(result.confidence, 0.99);
+  EXPECT_LT(std::sqrt(result.covariance(0, 0)), 0.02);
+  EXPECT_LT(std::sqrt(result.covariance(2, 2)), 0.01);
+  EXPECT_EQ(result.failure, MatchFailure::kNone);
+}
+
+TEST(MatchQuality, WrongPoseIsLessConfident) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::furnishedRoom(), {}, 360, 0.01, random);
+  const double right = judgeMatch(scan, scan, {}, kConfig).confidence;
+  EXPECT_LT(judgeMatch(scan, scan, {0.3, 0.0, 0.0}, kConfig).confidence, right);
+  EXPECT_LT(judgeMatch(scan, scan, {0.0, 0.0, 0.5}, kConfig).confidence, 0.7 * right);
+}
+
+TEST(MatchQuality, FarApartThereIsNoOverlap) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::furnishedRoom(), {}, 90, 0.01, random);
+  const MatchResult result = judgeMatch(scan, scan, {100.0, 0.0, 0.0}, kConfig);
+  EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
+  EXPECT_EQ(result.confidence, 0.0);
+  EXPECT_TRUE(result.covariance.allFinite());
+}
+
+TEST(MatchQuality, CorridorLeavesItsDirectionOpen) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::endlessCorridor(), {}, 360, 0.01, random);
+  const MatchResult result = judgeMatch(scan, scan, {}, kConfig);
+  EXPECT_EQ(result.failure, MatchFailure::kDegenerate);
+  EXPECT_GT(std::sqrt(result.covariance(0, 0)), 0.3) << "along the corridor";
+  EXPECT_LT(std::sqrt(result.covariance(1, 1)), 0.02) << "across";
+  EXPECT_LT(std::sqrt(result.covariance(2, 2)), 0.02);
+}
+
+TEST(MatchQuality, EmptyScanHasNoOverlap) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::furnishedRoom(), {}, 90, 0.01, random);
+  EXPECT_EQ(judgeMatch(scan, {}, {}, kConfig).failure, MatchFailure::kNoOverlap);
+  EXPECT_EQ(judgeMatch({}, scan, {}, kConfig).failure, MatchFailure::kNoOverlap);
+}
+
+}  // namespace
+}  // namespace omega_slam::matching
