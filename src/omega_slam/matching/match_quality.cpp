@@ -13,8 +13,7 @@ using geometry::Pose2;
 
 namespace {
 
-constexpr std::size_t kSurfaceNeighbours = 6;
-constexpr double kSurfaceRadius = 0.3;     // [m] neighbours farther away belong to another surface
+constexpr double kSurfaceRadius = 0.3;     // [m] neighbours that make up the surface around a point
 constexpr double kLineFlatness = 0.25;     // minor over major axis; above, it is no line
 constexpr double kPriorTranslation = 1.0;  // [m] deviation along directions that nothing determines
 constexpr double kPriorRotation = 0.5;     // [rad]
@@ -22,40 +21,49 @@ constexpr double kFloorTranslation = 0.01;    // [m]
 constexpr double kFloorRotation = 0.003;      // [rad]
 constexpr double kDegenerateDeviation = 0.3;  // [m] a direction known no better is not determined
 
-/// Unit normal of the surface around a point's neighbours; zero where they form no line.
-Eigen::Vector2d surfaceNormal(const Points& points,
-                              const std::vector<PointIndex::Neighbour>& neighbours) {
+/// The line through the points around a place.
+struct Surface {
+  Eigen::Vector2d normal{0.0, 0.0};  // unit; zero where the points form no line
+  double slope_variance{0.0};        // of the normal's direction [rad^2]
+};
+
+Surface fitSurface(const Points& points, const std::vector<PointIndex::Neighbour>& neighbours) {
+  if (neighbours.size() < 3) {
+    return {};
+  }
+  const auto count = static_cast<double>(neighbours.size());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  int count = 0;
   for (const auto& neighbour : neighbours) {
-    if (neighbour.squared_distance <= kSurfaceRadius * kSurfaceRadius) {
-      mean += points[neighbour.index];
-      ++count;
-    }
+    mean += points[neighbour.index] / count;
   }
-  if (count < 3) {
-    return Eigen::Vector2d::Zero();
-  }
-  mean /= count;
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (const auto& neighbour : neighbours) {
-    if (neighbour.squared_distance <= kSurfaceRadius * kSurfaceRadius) {
-      const Eigen::Vector2d d = points[neighbour.index] - mean;
-      scatter += d * d.transpose();
-    }
+    const Eigen::Vector2d d = points[neighbour.index] - mean;
+    scatter += d * d.transpose();
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
   axes.computeDirect(scatter);
-  if (axes.eigenvalues()[0] > kLineFlatness * kLineFlatness * axes.eigenvalues()[1]) {
-    return Eigen::Vector2d::Zero();
+  const double across = std::max(axes.eigenvalues()[0], 0.0);
+  const double along = axes.eigenvalues()[1];
+  if (across >= kLineFlatness * kLineFlatness * along) {
+    return {};
   }
-  return axes.eigenvectors().col(0);
+  return {axes.eigenvectors().col(0), across / (count - 2.0) / along};
+}
+
+/// Information that the distance to a surface gives on the place of a point, in units of the
+/// distance's variance: n n^T for the normal n. A normal tilted by noise would pretend to know
+/// something along the wall, by the slope's variance on average; that is taken off.
+Eigen::Matrix2d pointInformation(const Surface& surface) {
+  const Eigen::Vector2d tangent(-surface.normal.y(), surface.normal.x());
+  return surface.normal * surface.normal.transpose() -
+         surface.slope_variance * tangent * tangent.transpose();
 }
 
 struct Evidence {
   std::size_t partners{0};
   double squared_residuals{0.0};
-  Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};  // sum of J^T J
+  Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};  // in units of a distance's variance
 };
 
 Evidence gatherEvidence(const Points& reference, const Points& scan, const Pose2& T_reference_scan,
@@ -63,7 +71,7 @@ Evidence gatherEvidence(const Points& reference, const Points& scan, const Pose2
   const PointIndex index(reference);
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   std::vector<PointIndex::Neighbour> nearest;
-  std::vector<PointIndex::Neighbour> surface;
+  std::vector<PointIndex::Neighbour> around;
   Evidence evidence;
   for (const Eigen::Vector2d& p_scan : scan) {
     const Eigen::Vector2d arm = rotation * p_scan;
@@ -72,14 +80,15 @@ Evidence gatherEvidence(const Points& reference, const Points& scan, const Pose2
     if (nearest.empty() || nearest.front().squared_distance > outlier_distance * outlier_distance) {
       continue;
     }
-    index.nearest(reference[nearest.front().index], kSurfaceNeighbours, surface);
-    const Eigen::Vector2d normal = surfaceNormal(reference, surface);
-    const Eigen::Vector2d gap = p_reference - reference[nearest.front().index];
+    const Eigen::Vector2d& partner = reference[nearest.front().index];
+    index.within(partner, kSurfaceRadius, around);
+    const Surface surface = fitSurface(reference, around);
+    const Eigen::Vector2d gap = p_reference - partner;
     // Along a wall the spacing of its points is no error.
-    const double residual = normal.isZero() ? gap.norm() : normal.dot(gap);
-    const Eigen::Vector3d jacobian(normal.x(), normal.y(),
-                                   normal.y() * arm.x() - normal.x() * arm.y());
-    evidence.hessian += jacobian * jacobian.transpose();
+    const double residual = surface.normal.isZero() ? gap.norm() : surface.normal.dot(gap);
+    Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
+    jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
+    evidence.hessian += jacobian.transpose() * pointInformation(surface) * jacobian;
     evidence.squared_residuals += residual * residual;
     ++evidence.partners;
   }
@@ -93,7 +102,11 @@ Eigen::Matrix3d covarianceOf(const Evidence& evidence, double deviation) {
   const Eigen::Vector3d floor(kFloorTranslation * kFloorTranslation,
                               kFloorTranslation * kFloorTranslation,
                               kFloorRotation * kFloorRotation);
-  Eigen::Matrix3d information = evidence.hessian / (deviation * deviation);
+  // What noise took off may leave less than nothing along an open direction.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(evidence.hessian);
+  Eigen::Matrix3d information = axes.eigenvectors() *
+                                axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                                axes.eigenvectors().transpose() / (deviation * deviation);
   information.diagonal() += prior;
   Eigen::Matrix3d covariance = information.inverse();
   covariance = 0.5 * (covariance + covariance.transpose()).eval();

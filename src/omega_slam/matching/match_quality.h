@@ -14,7 +14,7 @@ struct MatchQualityConfig {
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the
 /// line through that point's neighbours. The covariance is the inverse of the point-to-line
-/// Hessian, sum J^T J / sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
+/// Hessian, over sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
 /// covariance"), simplified: the noise of every point-to-line distance is taken as independent with
 /// the range's deviation or the residual, whichever is larger. A weak prior keeps it finite along
 /// directions that no line determines, where it is large. Points on one wall err together, so a

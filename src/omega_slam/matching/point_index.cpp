@@ -1,7 +1,9 @@
 #include "omega_slam/matching/point_index.h"
 
+#include <algorithm>
 #include <array>
 #include <nanoflann.hpp>
+#include <utility>
 
 namespace omega_slam::matching {
 
@@ -50,6 +52,21 @@ void PointIndex::nearest(const Eigen::Vector2d& query, std::size_t count,
       tree_->tree.knnSearch(query.data(), wanted, indices.data(), distances.data());
   for (std::size_t i = 0; i < found; ++i) {
     neighbours.push_back({indices[i], distances[i]});
+  }
+}
+
+void PointIndex::within(const Eigen::Vector2d& query, double radius,
+                        std::vector<Neighbour>& neighbours) const {
+  neighbours.clear();
+  if (tree_->adaptor.points.empty()) {
+    return;
+  }
+  std::vector<std::pair<std::size_t, double>> found;
+  nanoflann::SearchParams unsorted;
+  unsorted.sorted = false;
+  tree_->tree.radiusSearch(query.data(), radius * radius, found, unsorted);
+  for (const auto& [index, squared_distance] : found) {
+    neighbours.push_back({index, squared_distance});
   }
 }
 

@@ -26,6 +26,10 @@ class PointIndex {
   void nearest(const Eigen::Vector2d& query, std::size_t count,
                std::vector<Neighbour>& neighbours) const;
 
+  /// All points within a radius [m], in no particular order.
+  void within(const Eigen::Vector2d& query, double radius,
+              std::vector<Neighbour>& neighbours) const;
+
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;

@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
               "time_increment is senseless"},
         Fault{"Clockwise", [](LaserScan& s) { s.angle_increment = -0.01; }, "",
               "sweeps clockwise"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& fault) { return fault.param.name; });
 
 }  // namespace
 }  // namespace omega_slam::sensing

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "support/seeds.h"
 
@@ -34,6 +35,10 @@ TEST(PointIndexLaws, AgreesWithBruteForce) {
           EXPECT_NEAR(found[k].squared_distance, expected[k], 1e-9);
           EXPECT_NEAR((points[found[k].index] - query).squaredNorm(), expected[k], 1e-9);
         }
+        index.within(query, 1.5, found);
+        EXPECT_EQ(found.size(), static_cast<std::size_t>(std::count_if(
+                                    expected.begin(), expected.end(),
+                                    [](double squared) { return squared < 1.5 * 1.5; })));
       }
     }
   }
