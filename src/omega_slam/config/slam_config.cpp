@@ -115,6 +115,7 @@ void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
   readFrame(reader, "map_frame", config.map_frame);
   reader.read("update_interval", config.update_interval, kDuration);
   reader.read("save_stem", config.save_stem);
+  reader.read("save_on_exit", config.save_on_exit);
   if (config.save_stem.empty()) {
     reader.fault("save_stem must not be empty.");
   }

@@ -48,6 +48,7 @@ struct MapBuilderNodeConfig {
   std::string map_frame{"map"};
   double update_interval{2.0};   ///< [s] the map is published at most so often
   std::string save_stem{"map"};  ///< path without ending that the service save_map writes to
+  bool save_on_exit{false};      ///< also write there when the node ends
 };
 
 struct SlamConfig {

@@ -1,0 +1,112 @@
+#include "nodes/common/map_worker.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace omega_slam {
+
+MapWorker::MapWorker(const mapping::OccupancyMapperConfig& config, double interval,
+                     Diagnostics& diagnostics, Drawn drawn)
+    : interval_(
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(interval))),
+      diagnostics_(diagnostics),
+      drawn_(std::move(drawn)),
+      drawer_(config),
+      thread_(&MapWorker::work, this) {}
+
+MapWorker::~MapWorker() { stop(); }
+
+void MapWorker::show(std::vector<PlacedKeyframe> keyframes) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  keyframes_ = std::move(keyframes);
+  ++version_;
+  if (keyframes_.empty()) {
+    newest_.reset();  // nobody shall be served the map of a run that is over
+  }
+  wake_.notify_one();
+}
+
+RenderedMapPtr MapWorker::newest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return newest_;
+}
+
+RenderedMapPtr MapWorker::complete(double patience) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const std::uint64_t wanted = version_;
+  is_urgent_ = true;
+  wake_.notify_one();
+  finished_.wait_for(lock, std::chrono::duration<double>(patience),
+                     [&] { return drawn_version_ >= wanted || is_stopped_; });
+  return newest_;
+}
+
+void MapWorker::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_stopped_ = true;
+    wake_.notify_one();
+    finished_.notify_all();
+  }
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void MapWorker::work() {
+  std::vector<PlacedKeyframe> keyframes;
+  std::uint64_t version = 0;
+  while (take(keyframes, version)) {
+    const RenderedMapPtr map = draw(keyframes);
+    bool is_new = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      // A reset may have come meanwhile; then this map is of a run that is over.
+      const RenderedMapPtr valid = keyframes_.empty() ? nullptr : map;
+      is_new = valid && valid != newest_;
+      newest_ = valid;
+      drawn_version_ = version;
+      finished_.notify_all();
+    }
+    if (is_new) {
+      drawn_(map);
+    }
+  }
+}
+
+bool MapWorker::take(std::vector<PlacedKeyframe>& keyframes, std::uint64_t& version) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  wake_.wait(lock, [this] { return is_stopped_ || version_ != drawn_version_; });
+  wake_.wait_until(lock, next_turn_, [this] { return is_stopped_ || is_urgent_; });
+  is_urgent_ = false;
+  keyframes = keyframes_;
+  version = version_;
+  next_turn_ = Clock::now() + interval_;
+  return !is_stopped_;
+}
+
+RenderedMapPtr MapWorker::draw(const std::vector<PlacedKeyframe>& keyframes) {
+  const auto begin = Clock::now();
+  const DrawReport report = drawer_.update(keyframes);
+  for (const std::string& refusal : report.refusals) {
+    diagnostics_.reject(refusal);
+  }
+  RenderedMapPtr before = newest();
+  if (before && report.drawn == 0 && !report.is_redrawn) {
+    return before;
+  }
+  auto map = std::make_shared<RenderedMap>();
+  map->grid = drawer_.render();
+  map->keyframes = drawer_.drawn();
+  for (const PlacedKeyframe& placed : keyframes) {
+    map->stamp = std::max(map->stamp, placed.keyframe->sweep.stamp);
+  }
+  const std::chrono::duration<double, std::milli> took = Clock::now() - begin;
+  diagnostics_.set("last drawing [ms]", took.count());
+  diagnostics_.set("last drawing, keyframes", static_cast<double>(report.drawn));
+  diagnostics_.set("keyframes in the map", static_cast<double>(map->keyframes));
+  return map->grid.cells.empty() ? nullptr : map;
+}
+
+}  // namespace omega_slam
