@@ -42,16 +42,28 @@ std::size_t RunPublisher::keyframes() const {
   return keyframes_.size();
 }
 
-void RunPublisher::publish(const slam::Keyframe& keyframe, const std_msgs::Header& header) {
+void RunPublisher::publish(const slam::Keyframe& keyframe, const std_msgs::Header& header,
+                           const std::vector<graph::Constraint>& constraints) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  keep(constraints, header.stamp);
   keyframes_.push_back(keyframeToRos(keyframe, header, run_));
   keyframe_publisher_.publish(keyframes_.back());
 }
 
-void RunPublisher::publish(const std::vector<graph::Constraint>& constraints,
-                           const ros::Time& stamp, std::uint64_t run) {
+void RunPublisher::publish(const std::vector<graph::Constraint>& constraints, std::uint64_t run) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (constraints.empty() || run != run_) {
+  if (run != run_) {
+    return;
+  }
+  ros::Time newest;
+  for (const graph::Constraint& constraint : constraints) {
+    newest = std::max(newest, keyframes_[std::max(constraint.from, constraint.to)].header.stamp);
+  }
+  keep(constraints, newest);
+}
+
+void RunPublisher::keep(const std::vector<graph::Constraint>& constraints, const ros::Time& stamp) {
+  if (constraints.empty()) {
     return;
   }
   ConstraintArray message;

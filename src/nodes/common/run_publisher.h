@@ -26,13 +26,17 @@ class RunPublisher {
   [[nodiscard]] std::uint64_t run() const;
   [[nodiscard]] std::size_t keyframes() const;
 
+  /// A keyframe, and the constraints that tie it to those before.
   /// @param header the scan's own stamp; the base frame
-  void publish(const slam::Keyframe& keyframe, const std_msgs::Header& header);
-  /// Constraints found together, in the given run; those of a run that is over are dropped.
-  void publish(const std::vector<graph::Constraint>& constraints, const ros::Time& stamp,
-               std::uint64_t run);
+  void publish(const slam::Keyframe& keyframe, const std_msgs::Header& header,
+               const std::vector<graph::Constraint>& constraints);
+  /// Constraints found later, between keyframes of the given run; dropped where that run is over.
+  void publish(const std::vector<graph::Constraint>& constraints, std::uint64_t run);
 
  private:
+  /// The caller holds the lock.
+  void keep(const std::vector<graph::Constraint>& constraints, const ros::Time& stamp);
+
   mutable std::mutex mutex_;
   std::uint64_t run_{0};
   std::vector<Keyframe> keyframes_;
