@@ -1,18 +1,16 @@
 #include "nodes/common/slam_conversions.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "nodes/common/conversions.h"
+#include "omega_slam/geometry/angle.h"
 
 namespace omega_slam {
 namespace {
-
-// How far information may be from symmetric and positive semi-definite by rounding alone, as a
-// share of its greatest element.
-constexpr double kRounding = 1e-9;
 
 bool isFiniteBeam(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
 
@@ -27,21 +25,6 @@ std::string beamFault(const Keyframe& keyframe) {
     if (keyframe.kind[i] != Keyframe::UNKNOWN && !isFiniteBeam(keyframe.x[i], keyframe.y[i])) {
       return "keyframe has a beam that is not finite";
     }
-  }
-  return {};
-}
-
-std::string informationFault(const Eigen::Matrix3d& information) {
-  if (!information.allFinite()) {
-    return "constraint has numbers that are not finite";
-  }
-  const double tolerance = kRounding * std::max(1.0, information.cwiseAbs().maxCoeff());
-  if ((information - information.transpose()).cwiseAbs().maxCoeff() > tolerance) {
-    return "constraint has information that is not symmetric";
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(information, Eigen::EigenvaluesOnly);
-  if (eigen.eigenvalues().minCoeff() < -tolerance) {
-    return "constraint has information that is not positive semi-definite";
   }
   return {};
 }
@@ -100,30 +83,25 @@ Keyframe keyframeToRos(const slam::Keyframe& keyframe, const std_msgs::Header& h
 }
 
 Reading<graph::Constraint> constraintFromRos(const Constraint& constraint) {
-  if (constraint.from_id == constraint.to_id) {
-    return {std::nullopt, "constraint ties a keyframe to itself"};
-  }
   if (constraint.kind > Constraint::LOOP) {
     return {std::nullopt, "constraint is of unknown kind"};
   }
-  const auto T_from_to = poseFromRos(constraint.pose);
-  if (!T_from_to) {
-    return {std::nullopt, "constraint has numbers that are not finite"};
-  }
   if (!(constraint.confidence >= 0.0 && constraint.confidence <= 1.0)) {
-    return {std::nullopt, "constraint has a confidence outside of 0 to 1"};
-  }
-  const Eigen::Matrix3d information = informationOf(constraint);
-  if (const std::string fault = informationFault(information); !fault.empty()) {
-    return {std::nullopt, fault};
+    return {std::nullopt, "constraint's confidence is not within 0 and 1"};
   }
   graph::Constraint read;
   read.from = constraint.from_id;
   read.to = constraint.to_id;
-  read.T_from_to = *T_from_to;
-  read.information = information;
+  read.T_from_to = {constraint.pose.x, constraint.pose.y, constraint.pose.theta};
+  read.information = informationOf(constraint);
   read.kind = static_cast<graph::ConstraintKind>(constraint.kind);
   read.confidence = constraint.confidence;
+  // Which nodes exist is for the graph to say.
+  constexpr std::size_t kAnyNode = std::numeric_limits<std::size_t>::max();
+  if (std::string fault = graph::faultOf(read, kAnyNode); !fault.empty()) {
+    return {std::nullopt, std::move(fault)};
+  }
+  read.T_from_to.theta = geometry::normalizeAngle(read.T_from_to.theta);
   return {read, {}};
 }
 
