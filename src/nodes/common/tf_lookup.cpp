@@ -59,7 +59,7 @@ TfAnswer<sensing::LaserMount> laserMountFrom(const geometry_msgs::TransformStamp
   return {mount, {}};
 }
 
-TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2_ros::Buffer& buffer,
+TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2::BufferCore& buffer,
                                                const std::string& base_frame,
                                                const std::string& laser_frame,
                                                const ros::Time& stamp) {
@@ -73,7 +73,7 @@ TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2_ros::Buffer& buffer,
   }
 }
 
-TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2_ros::Buffer& buffer,
+TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
                                                 const std::string& odom_frame,
                                                 const std::string& base_frame) {
   const std::string target = frameName(odom_frame);

@@ -2,7 +2,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
-#include <tf2_ros/buffer.h>
+#include <tf2/buffer_core.h>
 
 #include <optional>
 #include <string>
@@ -30,13 +30,13 @@ struct TfAnswer {
 
 /// The laser in the base frame at the stamp. A laser is bolted down, so where tf does not reach to
 /// the stamp (robot_state_publisher may be as slow as 5 Hz) its newest transform says the same.
-[[nodiscard]] TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2_ros::Buffer& buffer,
+[[nodiscard]] TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2::BufferCore& buffer,
                                                              const std::string& base_frame,
                                                              const std::string& laser_frame,
                                                              const ros::Time& stamp);
 
 /// The newest pose of the base in the odometry frame, `T_odom_base`, at its own stamp.
-[[nodiscard]] TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2_ros::Buffer& buffer,
+[[nodiscard]] TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
                                                               const std::string& odom_frame,
                                                               const std::string& base_frame);
 
