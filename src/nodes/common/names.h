@@ -16,6 +16,7 @@ inline constexpr char kTrajectory[] = "trajectory";
 inline constexpr char kMap[] = "map";
 inline constexpr char kMapMetadata[] = "map_metadata";
 inline constexpr char kGroundTruth[] = "base_pose_ground_truth";
+inline constexpr char kRouteStatus[] = "route_status";  ///< "driving k/n", "done", "stuck: why"
 
 inline constexpr char kDynamicMapService[] = "dynamic_map";
 inline constexpr char kSaveMapService[] = "save_map";
