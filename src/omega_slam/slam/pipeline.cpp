@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "omega_slam/slam/scan_trajectory.h"
+
 namespace omega_slam::slam {
 
 using geometry::Pose2;
@@ -57,25 +59,28 @@ void Pipeline::addKeyframe(const FrontEndResult& result, ScanOutcome& outcome) {
 const graph::SolveReport& Pipeline::finish() { return back_end_.solve(); }
 
 geometry::Trajectory Pipeline::trajectory() const {
+  std::vector<KeyframePlacement> placements;
+  for (const KeyframePtr& keyframe : keyframes_) {
+    placements.push_back(
+        {keyframe->sweep.stamp, keyframe->T_odom_base, graph().poses[keyframe->id]});
+  }
   geometry::Trajectory trajectory;
   trajectory.reserve(tracks_.size());
-  const std::vector<Pose2>& poses = graph().poses;
   std::size_t next = 0;  // first keyframe at or after the scan
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    while (next < keyframe_tracks_.size() && keyframe_tracks_[next] < i) {
+    while (next < placements.size() && keyframe_tracks_[next] < i) {
       ++next;
     }
-    const auto seenFrom = [&](std::size_t k) {
-      return poses[k] * relativePose(keyframes_[k]->T_odom_base, tracks_[i].T_odom_base);
-    };
-    Pose2 T_map_base = tracks_[i].T_odom_base;
-    if (next < poses.size() && next > 0) {
+    const Pose2& T_odom_base = tracks_[i].T_odom_base;
+    Pose2 T_map_base = T_odom_base;  // without a keyframe there is nothing better
+    if (next > 0 && next < placements.size()) {
+      // Shares by the count of scans: stamps of old logs run backwards now and then.
       const auto from = static_cast<double>(keyframe_tracks_[next - 1]);
       const auto to = static_cast<double>(keyframe_tracks_[next]);
       const double share = (static_cast<double>(i) - from) / (to - from);
-      T_map_base = interpolate(seenFrom(next - 1), seenFrom(next), share);
-    } else if (!poses.empty()) {
-      T_map_base = seenFrom(next == 0 ? 0 : poses.size() - 1);
+      T_map_base = poseBetween(placements[next - 1], placements[next], T_odom_base, share);
+    } else if (!placements.empty()) {
+      T_map_base = carryOn(next == 0 ? placements.front() : placements.back(), T_odom_base);
     }
     trajectory.push_back({tracks_[i].stamp, T_map_base});
   }

@@ -4,15 +4,12 @@
 #include <iterator>
 
 namespace omega_slam::slam {
+using geometry::Pose2;
+
 namespace {
 
-/// Where odometry alone puts the base, seen from a keyframe's solved pose: `T_map_base`.
-geometry::Pose2 carryOn(const KeyframePlacement& keyframe, const geometry::Pose2& T_odom_base) {
-  return keyframe.T_map_base * geometry::relativePose(keyframe.T_odom_base, T_odom_base);
-}
-
-geometry::Pose2 poseBetween(const std::vector<KeyframePlacement>& keyframes, double stamp,
-                            const geometry::Pose2& T_odom_base) {
+Pose2 poseAmong(const std::vector<KeyframePlacement>& keyframes, double stamp,
+                const Pose2& T_odom_base) {
   const auto next = std::upper_bound(
       keyframes.begin(), keyframes.end(), stamp,
       [](double value, const KeyframePlacement& keyframe) { return value < keyframe.stamp; });
@@ -24,10 +21,19 @@ geometry::Pose2 poseBetween(const std::vector<KeyframePlacement>& keyframes, dou
     return carryOn(*previous, T_odom_base);
   }
   const double share = (stamp - previous->stamp) / (next->stamp - previous->stamp);
-  return geometry::interpolate(carryOn(*previous, T_odom_base), carryOn(*next, T_odom_base), share);
+  return poseBetween(*previous, *next, T_odom_base, share);
 }
 
 }  // namespace
+
+Pose2 carryOn(const KeyframePlacement& keyframe, const Pose2& T_odom_base) {
+  return keyframe.T_map_base * relativePose(keyframe.T_odom_base, T_odom_base);
+}
+
+Pose2 poseBetween(const KeyframePlacement& before, const KeyframePlacement& after,
+                  const Pose2& T_odom_base, double share) {
+  return interpolate(carryOn(before, T_odom_base), carryOn(after, T_odom_base), share);
+}
 
 geometry::Trajectory scanTrajectory(const std::vector<double>& stamps,
                                     const motion::OdometryBuffer& odometry,
@@ -39,7 +45,7 @@ geometry::Trajectory scanTrajectory(const std::vector<double>& stamps,
   trajectory.reserve(stamps.size());
   for (const double stamp : stamps) {
     if (const auto T_odom_base = odometry.at(stamp)) {
-      trajectory.push_back({stamp, poseBetween(keyframes, stamp, *T_odom_base)});
+      trajectory.push_back({stamp, poseAmong(keyframes, stamp, *T_odom_base)});
     }
   }
   return trajectory;

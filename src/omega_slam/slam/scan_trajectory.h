@@ -15,6 +15,16 @@ struct KeyframePlacement {
   geometry::Pose2 T_map_base;   ///< solved pose
 };
 
+/// Odometry between two keyframes, bent so that it meets both: carried on from the one, carried
+/// back from the other, and blended. @param share 0 at `before`, 1 at `after`; @return `T_map_base`
+[[nodiscard]] geometry::Pose2 poseBetween(const KeyframePlacement& before,
+                                          const KeyframePlacement& after,
+                                          const geometry::Pose2& T_odom_base, double share);
+
+/// Where odometry alone puts the base, seen from a keyframe's solved pose: `T_map_base`.
+[[nodiscard]] geometry::Pose2 carryOn(const KeyframePlacement& keyframe,
+                                      const geometry::Pose2& T_odom_base);
+
 /// One pose `T_map_base` for each scan: at a keyframe its solved pose, between two keyframes the
 /// odometry carried on from the one and back from the other, blended by time; before the first and
 /// after the last keyframe the odometry alone.

@@ -1,0 +1,117 @@
+#include "omega_slam/slam/back_end.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/poses.h"
+
+namespace omega_slam::slam {
+namespace {
+
+using geometry::Pose2;
+using graph::Constraint;
+using graph::ConstraintKind;
+using graph::NodeId;
+
+Constraint tie(NodeId from, NodeId to, const Pose2& T_from_to, double weight = 1.0,
+               ConstraintKind kind = ConstraintKind::kOdometry) {
+  Constraint constraint;
+  constraint.from = from;
+  constraint.to = to;
+  constraint.T_from_to = T_from_to;
+  constraint.information *= weight;
+  constraint.kind = kind;
+  return constraint;
+}
+
+/// A square of four sides of 1 m whose last corner the odometry misses by 20 cm.
+BackEnd squareWithGap() {
+  BackEnd back_end;
+  const Pose2 side{1.0, 0.0, 1.5707963267948966};
+  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
+  for (NodeId i = 1; i < 5; ++i) {
+    const Pose2 step = i == 4 ? Pose2{1.2, 0.0, side.theta} : side;
+    EXPECT_EQ(back_end.addKeyframe(i, {}, {tie(i - 1, i, step)}), "");
+  }
+  return back_end;
+}
+
+TEST(BackEnd, FirstNodeLiesAtTheOriginOfTheMap) {
+  BackEnd back_end;
+  EXPECT_EQ(back_end.addKeyframe(0, {3.0, 4.0, 1.0}, {}), "");
+  EXPECT_EQ(back_end.graph().poses[0].x, 0.0);
+  const Pose2 T_map_base = back_end.mapFromOdometry() * Pose2{3.0, 4.0, 1.0};
+  EXPECT_LT(test::gapBetween(T_map_base, {}).translation, 1e-12);
+}
+
+TEST(BackEnd, NewNodeLiesWhereItsConstraintsMeet) {
+  BackEnd back_end;
+  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
+  EXPECT_EQ(back_end.addKeyframe(1, {1.0, 0.0, 0.0},
+                                 {tie(0, 1, {1.0, 0.0, 0.0}, 1.0),
+                                  tie(0, 1, {1.4, 0.0, 0.0}, 3.0, ConstraintKind::kMatch)}),
+            "");
+  EXPECT_NEAR(back_end.graph().poses[1].x, 1.3, 1e-9);
+  EXPECT_NEAR(back_end.mapFromOdometry().x, 0.3, 1e-9);
+}
+
+TEST(BackEnd, LoopClosesTheGap) {
+  BackEnd back_end = squareWithGap();
+  EXPECT_NEAR(std::hypot(back_end.graph().poses[4].x, back_end.graph().poses[4].y), 0.2, 1e-9);
+  EXPECT_FALSE(back_end.wantsSolve());
+  EXPECT_EQ(back_end.addConstraints({tie(0, 4, {}, 100.0, ConstraintKind::kLoop)}), "");
+  EXPECT_TRUE(back_end.wantsSolve());
+  EXPECT_EQ(back_end.solve().status, graph::SolveStatus::kConverged);
+  EXPECT_FALSE(back_end.wantsSolve());
+  EXPECT_LT(std::hypot(back_end.graph().poses[4].x, back_end.graph().poses[4].y), 0.05);
+  EXPECT_EQ(back_end.graph().poses[0].x, 0.0);
+}
+
+TEST(BackEnd, LoopThatAgreesWaits) {
+  BackEndConfig config;
+  config.solve_interval = 3;
+  BackEnd back_end(config);
+  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
+  EXPECT_EQ(back_end.addKeyframe(1, {}, {tie(0, 1, {1.0, 0.0, 0.0})}), "");
+  EXPECT_EQ(back_end.addConstraints({tie(0, 1, {1.01, 0.0, 0.0}, 1.0, ConstraintKind::kLoop)}), "");
+  for (NodeId i = 2; i < 5; ++i) {
+    EXPECT_FALSE(back_end.wantsSolve()) << i;
+    EXPECT_EQ(back_end.addKeyframe(i, {}, {tie(i - 1, i, {1.0, 0.0, 0.0})}), "");
+  }
+  EXPECT_TRUE(back_end.wantsSolve());
+}
+
+TEST(BackEnd, RefusesWhatWouldCorruptTheGraph) {
+  BackEnd back_end;
+  EXPECT_EQ(back_end.addKeyframe(1, {}, {}), "keyframe out of turn");
+  EXPECT_EQ(back_end.addKeyframe(0, {std::nan(""), 0.0, 0.0}, {}),
+            "keyframe's odometry is not finite");
+  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
+  EXPECT_EQ(back_end.addKeyframe(1, {}, {}), "keyframe without a valid constraint");
+  EXPECT_EQ(back_end.addKeyframe(1, {}, {tie(0, 1, {std::nan(""), 0.0, 0.0})}),
+            "keyframe without a valid constraint");
+  EXPECT_EQ(back_end.graph().poses.size(), 1U);
+  EXPECT_EQ(back_end.addKeyframe(1, {}, {tie(0, 1, {1.0, 0.0, 0.0})}), "");
+  EXPECT_NE(back_end.addConstraints({tie(0, 7, {}), tie(0, 1, {1.0, 0.0, 0.0})}), "");
+  EXPECT_EQ(back_end.graph().constraints.size(), 2U) << "the good one is kept";
+}
+
+TEST(BackEnd, ResetForgetsAll) {
+  BackEnd back_end = squareWithGap();
+  back_end.reset();
+  EXPECT_TRUE(back_end.graph().poses.empty());
+  EXPECT_TRUE(back_end.graph().constraints.empty());
+  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
+}
+
+TEST(BackEnd, ConfigurationIsChecked) {
+  BackEndConfig config;
+  config.solver.max_iterations = 0;
+  config.solve_interval = 0;
+  EXPECT_EQ(config.validate().size(), 2U);
+  EXPECT_THROW(BackEnd{config}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace omega_slam::slam

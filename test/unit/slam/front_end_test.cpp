@@ -1,0 +1,121 @@
+#include "omega_slam/slam/front_end.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "omega_slam/sensing/scan_intake.h"
+#include "support/poses.h"
+#include "support/room.h"
+
+namespace omega_slam::slam {
+namespace {
+
+using geometry::Pose2;
+using graph::ConstraintKind;
+
+sensing::Sweep sweepAt(const Pose2& T_room_base, double stamp) {
+  std::mt19937_64 random(1);
+  auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
+  scan.stamp = stamp;
+  return *sensing::ScanIntake({}).process(scan, {}).sweep;
+}
+
+motion::Prediction predictionAt(const Pose2& T_odom_base, double stamp) {
+  motion::Prediction prediction{stamp, T_odom_base, {}};
+  prediction.covariance = Eigen::Vector3d(1e-3, 1e-3, 1e-3).asDiagonal();
+  return prediction;
+}
+
+TEST(FrontEnd, FirstSweepIsKeyframeZeroWithoutConstraints) {
+  FrontEnd front_end;
+  const auto result = front_end.process(sweepAt({}, 0.0), predictionAt({5.0, 1.0, 2.0}, 0.0));
+  ASSERT_TRUE(result.keyframe);
+  EXPECT_EQ(result.keyframe->id, 0U);
+  EXPECT_EQ(result.keyframe->T_odom_base.x, 5.0);
+  EXPECT_TRUE(result.constraints.empty());
+  EXPECT_FALSE(result.match);
+}
+
+TEST(FrontEnd, KeepsAKeyframeAfterTranslationRotationOrTime) {
+  const auto isKept = [](const Pose2& motion, double seconds) {
+    FrontEnd front_end;
+    (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
+    return front_end.process(sweepAt(motion, seconds), predictionAt(motion, seconds)).keyframe !=
+           nullptr;
+  };
+  const FrontEndConfig defaults;
+  EXPECT_FALSE(isKept({0.9 * defaults.keyframe_translation, 0.0, 0.0}, 0.1));
+  EXPECT_TRUE(isKept({1.1 * defaults.keyframe_translation, 0.0, 0.0}, 0.1));
+  EXPECT_TRUE(isKept({0.0, -1.1 * defaults.keyframe_translation, 0.0}, 0.1));
+  EXPECT_FALSE(isKept({0.0, 0.0, 0.9 * defaults.keyframe_rotation}, 0.1));
+  EXPECT_TRUE(isKept({0.0, 0.0, -1.1 * defaults.keyframe_rotation}, 0.1));
+  EXPECT_FALSE(isKept({}, 0.9 * defaults.keyframe_time));
+  EXPECT_TRUE(isKept({}, 1.1 * defaults.keyframe_time));
+}
+
+TEST(FrontEnd, TheMatchMendsTheOdometry) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
+  const Pose2 truth{0.4, 0.05, 0.1};
+  const Pose2 odometry{0.5, 0.0, 0.16};
+  const auto result = front_end.process(sweepAt(truth, 1.0), predictionAt(odometry, 1.0));
+  ASSERT_TRUE(result.match_trusted);
+  ASSERT_EQ(result.constraints.size(), 2U);
+  EXPECT_EQ(result.constraints[0].kind, ConstraintKind::kOdometry);
+  EXPECT_EQ(test::gapBetween(result.constraints[0].T_from_to, odometry).translation, 0.0);
+  EXPECT_EQ(result.constraints[1].kind, ConstraintKind::kMatch);
+  EXPECT_LT(test::gapBetween(result.constraints[1].T_from_to, truth).translation, 0.03);
+  EXPECT_LT(test::gapBetween(result.constraints[1].T_from_to, truth).rotation, 0.02);
+  for (const auto& constraint : result.constraints) {
+    EXPECT_EQ(graph::faultOf(constraint, 2), "");
+  }
+}
+
+TEST(FrontEnd, BelowTheThresholdTheOdometryStandsAlone) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
+  sensing::Sweep blind = sweepAt({0.4, 0.0, 0.0}, 1.0);
+  for (auto& beam : blind.beams) {
+    beam.kind = sensing::BeamKind::kNoReturn;
+  }
+  const auto result = front_end.process(blind, predictionAt({0.4, 0.0, 0.0}, 1.0));
+  ASSERT_TRUE(result.keyframe);
+  EXPECT_FALSE(result.match_trusted);
+  ASSERT_EQ(result.constraints.size(), 1U);
+  EXPECT_EQ(result.constraints[0].kind, ConstraintKind::kOdometry);
+}
+
+TEST(FrontEnd, OdometryConstraintStandsInTheFrameOfItsStart) {
+  FrontEnd front_end;
+  const Pose2 start{3.0, 4.0, geometry::Pose2{}.theta + 1.5707963267948966};
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt(start, 0.0));
+  motion::Prediction prediction = predictionAt(start * Pose2{0.4, 0.0, 0.0}, 1.0);
+  prediction.covariance = Eigen::Vector3d(0.0, 0.01, 0.0).asDiagonal();  // along odom's y
+  const auto result = front_end.process(sweepAt({0.4, 0.0, 0.0}, 1.0), prediction);
+  const Eigen::Matrix3d& information = result.constraints[0].information;
+  EXPECT_LT(information(0, 0), 0.1 * information(1, 1)) << "the base drives along its x";
+}
+
+TEST(FrontEnd, ResetBeginsAnew) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 5.0), predictionAt({}, 5.0));
+  front_end.reset();
+  const auto result = front_end.process(sweepAt({}, 1.0), predictionAt({9.0, 9.0, 1.0}, 1.0));
+  ASSERT_TRUE(result.keyframe);
+  EXPECT_EQ(result.keyframe->id, 0U);
+}
+
+TEST(FrontEnd, ConfigurationIsChecked) {
+  FrontEndConfig config;
+  config.keyframe_translation = 0.0;
+  config.min_confidence = 1.5;
+  config.icp.max_iterations = 0;
+  const auto sentences = config.validate();
+  EXPECT_EQ(sentences.size(), 3U);
+  EXPECT_EQ(sentences.back().rfind("icp/max_iterations", 0), 0U);
+  EXPECT_THROW(FrontEnd{config}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace omega_slam::slam
