@@ -65,8 +65,9 @@ InformationForm buildStep(const PoseGraph& graph, double kernel) {
   return form;
 }
 
+/// Node 0 is the anchor: its step is zero but for rounding, and rounding shall not move it.
 void moveBy(std::vector<Pose2>& poses, const Eigen::VectorXd& step, double share) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (std::size_t i = 1; i < poses.size(); ++i) {
     const Eigen::Vector3d change = share * step.segment<3>(3 * static_cast<Eigen::Index>(i));
     poses[i] = Pose2::fromVector(poses[i].vector() + change);
   }
