@@ -19,7 +19,7 @@ struct MapPicture {
 
 /// Draws the map to be looked at: unknown grey, free white, walls dark, paths in colour with marks
 /// where the estimated one starts and ends; below it a scale bar, a legend and the caption. Small
-/// maps are magnified by a whole number to about 1000 pixels, large ones reduced to 4000. Where
+/// maps are magnified by a whole number to 1000 pixels or more, large ones reduced to 4000. Where
 /// many cells share a pixel a wall outdoes free space and that the unknown. The same input gives
 /// the same bytes.
 /// @return the bytes of a PNG
