@@ -71,6 +71,8 @@ def textsIncluded(text, folders, seen):
 def fingerprint(tree, header, command):
     folders = [tree.source / 'src', tree.source / 'test']
     paths = [header, *sorted(textsIncluded(header.read_text(), folders, set()))]
+    # Messages turn into headers.
+    paths += tree.files('msg/*.msg', 'srv/*.srv')
     content = '\0'.join([*command, *(path.read_text() for path in paths)])
     return hashlib.sha256(content.encode()).hexdigest()
 

@@ -18,10 +18,8 @@ find_package(omega_slam REQUIRED)
 add_executable(consumer consumer.cpp)
 target_link_libraries(consumer omega_slam::omega_slam)
 '''
-CONSUMER_CPP = '''#include "omega_slam/slam/pipeline.h"
-#include <omega_slam/geometry/pose2.h>
-int main() { return omega_slam::geometry::Pose2{} * omega_slam::geometry::Pose2{} ==
-                    omega_slam::geometry::Pose2{} ? 0 : 1; }
+CONSUMER_CPP = '''#include <omega_slam/slam/back_end.h>
+int main() { return omega_slam::slam::BackEnd{}.mapFromOdometry().isFinite() ? 0 : 1; }
 '''
 
 
