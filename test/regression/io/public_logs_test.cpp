@@ -4,7 +4,7 @@
 
 #include "omega_slam/graph/graph_file.h"
 #include "omega_slam/io/carmen_log.h"
-#include "support/public_data.h"
+#include "support/paths.h"
 
 namespace omega_slam::io {
 namespace {
@@ -21,8 +21,11 @@ void PrintTo(const LogFacts& facts, std::ostream* stream) { *stream << facts.fil
 class PublicLog : public ::testing::TestWithParam<LogFacts> {};
 
 TEST_P(PublicLog, IsReadWhole) {
-  OMEGA_SLAM_PUBLIC_DATA(path, GetParam().file);
-  const CarmenLog log = readCarmenLog(path);
+  const auto path = test::dataFile(GetParam().file);
+  if (!path) {
+    GTEST_SKIP() << test::missingData(GetParam().file);
+  }
+  const CarmenLog log = readCarmenLog(*path);
   EXPECT_EQ(log.records.size(), GetParam().scans);
   EXPECT_EQ(log.backward_stamps, GetParam().backward_stamps);
   EXPECT_EQ(log.malformed_lines, 0U) << log.first_fault;
@@ -53,8 +56,11 @@ void PrintTo(const GraphFacts& facts, std::ostream* stream) { *stream << facts.f
 class PublicGraph : public ::testing::TestWithParam<GraphFacts> {};
 
 TEST_P(PublicGraph, IsReadWholeAndSurvivesWriting) {
-  OMEGA_SLAM_PUBLIC_DATA(path, GetParam().file);
-  const graph::PoseGraph graph = graph::loadGraph(path);
+  const auto path = test::dataFile(GetParam().file);
+  if (!path) {
+    GTEST_SKIP() << test::missingData(GetParam().file);
+  }
+  const graph::PoseGraph graph = graph::loadGraph(*path);
   EXPECT_EQ(graph.poses.size(), GetParam().nodes);
   EXPECT_EQ(graph.constraints.size(), GetParam().constraints);
   const std::string text = graph::toG2o(graph);

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "omega_slam/geometry/pose2.h"
+#include "omega_slam/grid/occupancy_grid.h"
+
+namespace omega_slam::evaluation {
+
+struct ResemblanceOptions {
+  /// [cells of the map looked in] A wall counts as found in its place if one lies at most so many
+  /// cells away, along each axis. A wall is a line: half a cell of misalignment would move all of
+  /// it off itself. Open space is an area and gets no tolerance.
+  int wall_tolerance{1};
+
+  [[nodiscard]] std::vector<std::string> validate() const;
+};
+
+/// How a built map resembles the true one, cell by cell (the paper, section 7.3). Cells are
+/// `occupied` from 65 up and `open` from 0 to 25, as map_saver has it; anything else is unknown.
+struct Resemblance {
+  std::size_t walls_right{0};  ///< built wall cells with a true wall in their place
+  std::size_t walls_wrong{0};  ///< built wall cells without
+  std::size_t open_right{0};   ///< built open cells that the robot can truly reach
+  std::size_t open_wrong{0};   ///< built open cells in a wall, outside, or otherwise inaccessible
+
+  std::size_t walls_to_find{0};  ///< true wall cells that border on reachable space
+  std::size_t walls_found{0};    ///< of those, the ones with a built wall in their place
+  std::size_t open_to_find{0};   ///< true open cells that can be reached from the start
+  std::size_t open_found{0};     ///< of those, the ones built open
+  std::size_t open_seen{0};      ///< of those, the ones not unknown in the built map
+
+  [[nodiscard]] double score() const;     ///< the resemblance: share of built cells right, [0, 1]
+  [[nodiscard]] double balanced() const;  ///< mean of the share of walls and the share of open
+  [[nodiscard]] double wallPrecision() const;
+  [[nodiscard]] double wallRecall() const;
+  [[nodiscard]] double openPrecision() const;
+  [[nodiscard]] double openRecall() const;
+  [[nodiscard]] double coverage() const;  ///< share of reachable space that was seen
+};
+
+/// Where to compare.
+struct MapPlacement {
+  geometry::Pose2 T_truth_map;            ///< the built map's frame in the true map's frame
+  Eigen::Vector2d start_truth{0.0, 0.0};  ///< [m] where the robot started, in the true map's frame
+};
+
+/// Compares a built map with the true one. Resolutions may differ: each cell of the one is looked
+/// up by its centre in the other. If the start is not in open space of the true map, nothing can be
+/// reached and all open cells are wrong.
+/// @throws std::invalid_argument for options that are not valid
+[[nodiscard]] Resemblance compareMaps(const grid::OccupancyGrid& built,
+                                      const grid::OccupancyGrid& truth,
+                                      const MapPlacement& placement,
+                                      const ResemblanceOptions& options = {});
+
+}  // namespace omega_slam::evaluation
