@@ -26,9 +26,11 @@ inline void logFatalLines(const std::string& text) {
 /// can't start says why, one sentence a fault.
 template <class Node>
 int runNode(int argc, char** argv, const std::string& name) {
+  ros::init(argc, argv, name);
+  // With the last handle goes the logging; this one stays for what there may be to say.
+  const ros::NodeHandle nh;
   try {
-    ros::init(argc, argv, name);
-    Node node{ros::NodeHandle(), ros::NodeHandle("~")};
+    Node node(nh, ros::NodeHandle("~"));
     ros::AsyncSpinner spinner(Node::kCallbackThreads);
     spinner.start();
     ros::waitForShutdown();
