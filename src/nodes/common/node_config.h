@@ -13,7 +13,7 @@ template <class Config>
 [[nodiscard]] Config loadConfig(const ros::NodeHandle& private_nh) {
   config::ParameterReader reader = privateParameters(private_nh);
   Config result;
-  config::read(reader, result);
+  read(reader, result);  // the one beside Config, wherever that is
   reader.finish();
   return result;
 }
