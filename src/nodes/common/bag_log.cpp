@@ -106,7 +106,7 @@ void BagLog::startView() {
   message_ = view_->begin();
 }
 
-std::optional<BagRecord> BagLog::next() {
+std::optional<io::ScanRecord> BagLog::next() {
   return guarded(path_, [this] {
     auto record = takeReady();
     while (!record && readMessage()) {
@@ -227,7 +227,7 @@ void BagLog::addOdometry(double stamp, const geometry::Pose2& T_odom_base) {
   }
 }
 
-std::optional<BagRecord> BagLog::takeReady() {
+std::optional<io::ScanRecord> BagLog::takeReady() {
   while (!waiting_.empty() && !odometry_.empty()) {
     const WaitingScan& scan = waiting_.front();
     if (odometry_.covers(scan.scan.stamp) && odometry_.covers(scan.end)) {
@@ -242,7 +242,7 @@ std::optional<BagRecord> BagLog::takeReady() {
   return std::nullopt;
 }
 
-std::optional<BagRecord> BagLog::takeLast() {
+std::optional<io::ScanRecord> BagLog::takeLast() {
   while (!waiting_.empty()) {
     WaitingScan scan = waiting_.pop();
     if (odometry_.covers(scan.scan.stamp)) {
@@ -253,8 +253,8 @@ std::optional<BagRecord> BagLog::takeLast() {
   return std::nullopt;
 }
 
-BagRecord BagLog::makeRecord(WaitingScan waiting) {
-  BagRecord record;
+io::ScanRecord BagLog::makeRecord(WaitingScan waiting) {
+  io::ScanRecord record;
   record.scan = std::move(waiting.scan);
   record.mount = report_.mount;
   const double start = record.scan.stamp;
@@ -268,6 +268,13 @@ BagRecord BagLog::makeRecord(WaitingScan waiting) {
   }
   ++report_.records;
   return record;
+}
+
+std::map<std::string, std::size_t> BagLog::dropped() const { return report_.dropped_scans; }
+
+std::string BagLog::description() const {
+  return fmt::format("bag with scans on {}, odometry from {}.", report_.scan_topic,
+                     report_.odometry);
 }
 
 }  // namespace omega_slam

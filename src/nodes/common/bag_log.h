@@ -13,6 +13,7 @@
 #include "nodes/common/bag_topics.h"
 #include "nodes/common/scan_queue.h"
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/io/scan_source.h"
 #include "omega_slam/motion/odometry_buffer.h"
 #include "omega_slam/sensing/laser_scan.h"
 
@@ -27,14 +28,6 @@ struct BagLogOptions {
   /// messages, else base_footprint, else base_link.
   std::string base_frame;
   std::optional<geometry::Pose2> laser_pose;  ///< `T_base_laser`; none: as tf says
-};
-
-/// A scan with all that is needed to use it.
-struct BagRecord {
-  sensing::LaserScan scan;
-  sensing::LaserMount mount;
-  geometry::Pose2 T_odom_base;          ///< at the scan's stamp
-  geometry::Pose2 motion_during_sweep;  ///< `T_start_end` of the base, first beam to last
 };
 
 /// What has been found and counted so far. Causes are short stable phrases.
@@ -53,16 +46,18 @@ struct BagLogReport {
 
 /// Reads scans and odometry from a rosbag, as fast as the disk allows, without a ROS master. Scans
 /// wait until the odometry has reached them, by the time of the messages. Not thread-safe.
-class BagLog {
+class BagLog : public io::ScanSource {
  public:
   /// @throws BagError
   BagLog(const std::string& path, const BagLogOptions& options);
 
   /// The next scan that the odometry covers, by the stamps of those that wait; none at the end.
   /// @throws BagError if the bag is damaged from here on
-  [[nodiscard]] std::optional<BagRecord> next();
+  [[nodiscard]] std::optional<io::ScanRecord> next() override;
 
-  [[nodiscard]] double progress() const;  ///< share of the bag that has been read, in [0, 1]
+  [[nodiscard]] double progress() const override;
+  [[nodiscard]] std::map<std::string, std::size_t> dropped() const override;
+  [[nodiscard]] std::string description() const override;
   [[nodiscard]] const BagLogReport& report() const { return report_; }
 
  private:
@@ -73,9 +68,10 @@ class BagLog {
   void readOdometry(const rosbag::MessageInstance& instance);
   void readTransforms(const rosbag::MessageInstance& instance);
   void addOdometry(double stamp, const geometry::Pose2& T_odom_base);
-  [[nodiscard]] std::optional<BagRecord> takeReady();  ///< the odometry covers all of it
-  [[nodiscard]] std::optional<BagRecord> takeLast();   ///< at the end: all of it or its beginning
-  [[nodiscard]] BagRecord makeRecord(WaitingScan scan);
+  [[nodiscard]] std::optional<io::ScanRecord> takeReady();  ///< the odometry covers all of it
+  [[nodiscard]] std::optional<io::ScanRecord>
+  takeLast();  ///< at the end: all of it or its beginning
+  [[nodiscard]] io::ScanRecord makeRecord(WaitingScan scan);
   void dropScan(const std::string& cause) { ++report_.dropped_scans[cause]; }
 
   std::string path_;

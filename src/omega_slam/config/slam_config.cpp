@@ -128,6 +128,11 @@ void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
   reader.faults(mapper.validate());
 }
 
+slam::PipelineConfig pipelineConfig(const SlamConfig& config) {
+  return {config.motion_model.noise, config.scan_matcher.intake, config.scan_matcher.front_end,
+          config.scan_matcher.loops, config.graph_slam.back_end};
+}
+
 SlamConfig loadSlamConfig(const std::string& path) {
   ParameterReader file(loadYamlFile(path), "", path);
   SlamConfig config;

@@ -9,6 +9,7 @@
 #include "omega_slam/slam/back_end.h"
 #include "omega_slam/slam/front_end.h"
 #include "omega_slam/slam/loop_closer.h"
+#include "omega_slam/slam/pipeline.h"
 
 namespace omega_slam::config {
 
@@ -63,6 +64,9 @@ void read(ParameterReader& reader, MotionModelNodeConfig& config);
 void read(ParameterReader& reader, ScanMatcherNodeConfig& config);
 void read(ParameterReader& reader, GraphSlamNodeConfig& config);
 void read(ParameterReader& reader, MapBuilderNodeConfig& config);
+
+/// What the offline pipeline takes of it.
+[[nodiscard]] slam::PipelineConfig pipelineConfig(const SlamConfig& config);
 
 /// A file with the four sections, any of which may be absent. @throws ConfigurationError
 [[nodiscard]] SlamConfig loadSlamConfig(const std::string& path);

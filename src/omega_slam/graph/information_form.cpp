@@ -1,7 +1,6 @@
 #include "omega_slam/graph/information_form.h"
 
 #include "omega_slam/geometry/angle.h"
-#include "omega_slam/geometry/covariance.h"
 
 namespace omega_slam::graph {
 
@@ -69,8 +68,6 @@ LinearizedConstraint linearize(const Constraint& constraint, const Pose2& T_map_
   result.J_to.setZero();
   result.J_to.topLeftCorner<2, 2>() = both;
   result.J_to(2, 2) = 1.0;
-
-  result.information = geometry::rotateCovariance(constraint.information, -measured.theta);
   return result;
 }
 

@@ -49,7 +49,6 @@ struct LinearizedConstraint {
   Eigen::Vector3d error;
   Eigen::Matrix3d J_from;
   Eigen::Matrix3d J_to;
-  Eigen::Matrix3d information;  ///< the constraint's, turned into the axes of the error
 };
 
 [[nodiscard]] LinearizedConstraint linearize(const Constraint& constraint,

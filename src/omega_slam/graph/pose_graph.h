@@ -26,8 +26,9 @@ struct Constraint {
   NodeId from{0};
   NodeId to{0};
   geometry::Pose2 T_from_to;  ///< measured pose of `to` seen from `from`
-  /// Information (inverse covariance) of (x, y, theta) of `T_from_to` in the frame of `from`
-  /// [1/m^2, 1/(m rad), 1/rad^2]: symmetric, positive semi-definite.
+  /// Information (inverse covariance) of the error (x, y, theta) of `T_from_to`, in the axes of
+  /// `to` as measured: the convention of g2o [1/m^2, 1/(m rad), 1/rad^2]: symmetric, positive
+  /// semi-definite.
   Eigen::Matrix3d information{Eigen::Matrix3d::Identity()};
   ConstraintKind kind{ConstraintKind::kOdometry};
   double confidence{1.0};  ///< [0, 1], of the matcher; 1 for odometry

@@ -36,18 +36,18 @@ RobustCost robustCost(const Constraint& constraint, double squared, double kerne
   return {2.0 * kernel * error - kernel * kernel, kernel / error};
 }
 
-double squaredError(const LinearizedConstraint& at) {
-  return at.error.dot(at.information * at.error);
-}
-
 LinearizedConstraint linearizeAt(const PoseGraph& graph, const Constraint& constraint) {
   return linearize(constraint, graph.poses[constraint.from], graph.poses[constraint.to]);
+}
+
+double squaredError(const Constraint& constraint, const LinearizedConstraint& at) {
+  return at.error.dot(constraint.information * at.error);
 }
 
 double totalCost(const PoseGraph& graph, double kernel) {
   double cost = 0.0;
   for (const Constraint& constraint : graph.constraints) {
-    cost += robustCost(constraint, squaredError(linearizeAt(graph, constraint)), kernel).cost;
+    cost += robustCost(constraint, chiSquare(graph, constraint), kernel).cost;
   }
   return cost;
 }
@@ -57,8 +57,8 @@ InformationForm buildStep(const PoseGraph& graph, double kernel) {
   InformationForm form(graph.poses.size());
   for (const Constraint& constraint : graph.constraints) {
     const LinearizedConstraint at = linearizeAt(graph, constraint);
-    const double weight = robustCost(constraint, squaredError(at), kernel).weight;
-    form.add(constraint.from, constraint.to, at.J_from, at.J_to, weight * at.information,
+    const double weight = robustCost(constraint, squaredError(constraint, at), kernel).weight;
+    form.add(constraint.from, constraint.to, at.J_from, at.J_to, weight * constraint.information,
              -at.error);
   }
   form.anchor(0, Eigen::Vector3d::Zero(), 1.0);
@@ -156,8 +156,8 @@ Pose2 relaxNode(const PoseGraph& graph, NodeId node, const std::vector<Constrain
           linearize(constraint, is_to ? graph.poses[constraint.from] : T_map_node,
                     is_to ? T_map_node : graph.poses[constraint.to]);
       const Eigen::Matrix3d& jacobian = is_to ? at.J_to : at.J_from;
-      omega += jacobian.transpose() * at.information * jacobian;
-      xi -= jacobian.transpose() * at.information * at.error;
+      omega += jacobian.transpose() * constraint.information * jacobian;
+      xi -= jacobian.transpose() * constraint.information * at.error;
     }
     const Eigen::Vector3d step = omega.ldlt().solve(xi);
     if (!step.allFinite()) {
@@ -169,7 +169,7 @@ Pose2 relaxNode(const PoseGraph& graph, NodeId node, const std::vector<Constrain
 }
 
 double chiSquare(const PoseGraph& graph, const Constraint& constraint) {
-  return squaredError(linearizeAt(graph, constraint));
+  return squaredError(constraint, linearizeAt(graph, constraint));
 }
 
 double chiSquare(const PoseGraph& graph) {

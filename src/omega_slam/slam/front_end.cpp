@@ -28,7 +28,7 @@ Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
   constraint.to = to.id;
   constraint.T_from_to = relativePose(from.T_odom_base, to.T_odom_base);
   Eigen::Matrix3d covariance =
-      geometry::rotateCovariance(covariance_in_odom, -from.T_odom_base.theta);
+      geometry::rotateCovariance(covariance_in_odom, -to.T_odom_base.theta);
   covariance.diagonal() +=
       Eigen::Vector3d(kOdometryFloorTranslation, kOdometryFloorTranslation, kOdometryFloorRotation)
           .cwiseAbs2();

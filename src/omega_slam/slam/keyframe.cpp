@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "omega_slam/geometry/covariance.h"
+
 namespace omega_slam::slam {
 
 graph::Constraint matchConstraint(graph::NodeId from, graph::NodeId to,
@@ -10,7 +12,9 @@ graph::Constraint matchConstraint(graph::NodeId from, graph::NodeId to,
   constraint.from = from;
   constraint.to = to;
   constraint.T_from_to = match.T_reference_scan;
-  const Eigen::Matrix3d information = match.covariance.inverse();
+  // The matcher speaks in the axes of the reference, the graph in those of the scan.
+  const Eigen::Matrix3d information =
+      geometry::rotateCovariance(match.covariance, -match.T_reference_scan.theta).inverse();
   constraint.information = 0.5 * (information + information.transpose());
   constraint.kind = kind;
   constraint.confidence = match.confidence;
