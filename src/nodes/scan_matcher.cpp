@@ -48,6 +48,7 @@ class ScanMatcherNode {
         publisher_(nh),
         loops_(config_.loops, publisher_.run(), [this](const auto& constraints, std::uint64_t run) {
           publisher_.publish(constraints, run);
+          reportLoops();
         }) {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "waiting for scans");
     scan_subscriber_ =
@@ -200,10 +201,15 @@ class ScanMatcherNode {
   void reportHealth() {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "matching");
     diagnostics_.set("keyframes", static_cast<double>(publisher_.keyframes()));
-    diagnostics_.set("keyframes searched for loops", static_cast<double>(loops_.searched()));
-    diagnostics_.set("loops", static_cast<double>(loops_.found()));
     diagnostics_.set("matches trusted", static_cast<double>(matches_trusted_));
     diagnostics_.set("matches not trusted", static_cast<double>(matches_untrusted_));
+    reportLoops();
+  }
+
+  /// In any thread.
+  void reportLoops() {
+    diagnostics_.set("keyframes searched for loops", static_cast<double>(loops_.searched()));
+    diagnostics_.set("loops", static_cast<double>(loops_.found()));
   }
 
   config::ScanMatcherNodeConfig config_;
