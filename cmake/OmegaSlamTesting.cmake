@@ -46,4 +46,6 @@ function(omega_slam_add_package_check file)
   add_test(NAME package/${name}/self_test COMMAND ${command} --self-test)
   set_tests_properties(package/${name} package/${name}/self_test PROPERTIES
     LABELS package TIMEOUT 900 SKIP_RETURN_CODE 77)
+  # Compilers run in some of them; rostests beside those would starve.
+  set_tests_properties(package/${name} PROPERTIES PROCESSORS 2)
 endfunction()
