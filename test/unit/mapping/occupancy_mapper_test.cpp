@@ -86,8 +86,11 @@ TEST(OccupancyMapper, BeamsStartAtTheLaser) {
 }
 
 TEST(OccupancyMapper, AHitWinsOverMissesOfTheSameSweep) {
-  // The second and third beam pass through the cell in which the first one ends.
-  OccupancyMapper mapper(coarse());
+  // The other two beams pass through the cell in which the middle one ends. Did even one miss count
+  // beside the hit, the share of hits would be too low.
+  OccupancyMapperConfig config = coarse();
+  config.occupied_threshold = 0.9;
+  OccupancyMapper mapper(config);
   EXPECT_EQ(mapper.add(sweepOf({{{4.0, 0.1}, BeamKind::kReturn},
                                 {{2.0, 0.0}, BeamKind::kReturn},
                                 {{4.0, -0.1}, BeamKind::kReturn}}),
@@ -143,7 +146,9 @@ TEST(OccupancyMapper, GrowsInAllDirections) {
 TEST(OccupancyMapper, AWallSeenAtAGrazingAngleStays) {
   // Close along the lower wall of a long room: each beam's end cell is crossed by its neighbours.
   const Eigen::Vector2d half(10.0, 1.975);
-  OccupancyMapper mapper;
+  OccupancyMapperConfig config;
+  config.occupied_threshold = 0.9;
+  OccupancyMapper mapper(config);
   const Pose2 pose{-9.0, -1.9, 0.3};
   EXPECT_EQ(mapper.add(test::sweepInRoom(half, pose, {0.1, 0.02, 0.1}, 7200), pose), "");
   const grid::OccupancyGrid map = mapper.render();
