@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """What `cmake --install` leaves works by itself: programs run, ROS finds the package, others link it.
 
-Installs into a temporary folder, so it needs a build that is done.
+Installs into a temporary folder, so it needs a build that is done. By DESTDIR, since catkin puts the
+setup files below the prefix of the configuration, whatever --prefix says.
 """
 import os
 import pathlib
+import re
 import subprocess
+import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
@@ -129,12 +132,19 @@ def installedFaults(tree, prefix, with_ros):
     yield from linkFaults(prefix)
 
 
+def configuredPrefix(tree):
+    cache = (tree.build / 'CMakeCache.txt').read_text()
+    return pathlib.Path(re.search(r'^CMAKE_INSTALL_PREFIX:\w+=(.*)$', cache, re.MULTILINE).group(1))
+
+
 def check(tree):
     if not (tree.build / 'cmake_install.cmake').exists():
         raise Skip('nothing was built')
     with tempfile.TemporaryDirectory() as folder:
-        prefix = pathlib.Path(folder).resolve() / 'prefix'
-        code, said = execute(['cmake', '--install', tree.build, '--prefix', prefix])
+        destination = pathlib.Path(folder).resolve()
+        prefix = destination / configuredPrefix(tree).relative_to('/')
+        code, said = execute(['cmake', '--install', tree.build],
+                             env=dict(os.environ, DESTDIR=str(destination)))
         if code != 0:
             yield f'cmake --install ended with {code}: {lastLines(said)}'
             return
@@ -171,5 +181,4 @@ CASES = [
 ]
 
 if __name__ == '__main__':
-    import sys
     run(__doc__, checkPretended if '--self-test' in sys.argv else check, CASES)
