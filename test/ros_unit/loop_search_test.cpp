@@ -1,0 +1,107 @@
+#include "nodes/common/loop_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace omega_slam {
+namespace {
+
+using geometry::Pose2;
+using std::chrono::seconds;
+
+constexpr std::size_t kKeyframes = 6;
+
+/// All keyframes are taken at one place in one room of uneven walls.
+slam::KeyframePtr keyframe(graph::NodeId id) {
+  slam::Keyframe result;
+  result.id = id;
+  result.sweep.angle_increment = 0.02;
+  for (int i = 0; i < 314; ++i) {
+    const double angle = 0.02 * i;
+    const double range = std::min({3.0 / std::max(1e-9, std::abs(std::cos(angle))),
+                                   2.0 / std::max(1e-9, std::abs(std::sin(angle))), 3.4});
+    result.sweep.beams.push_back(
+        {range * Eigen::Vector2d(std::cos(angle), std::sin(angle)), sensing::BeamKind::kReturn});
+  }
+  return std::make_shared<const slam::Keyframe>(std::move(result));
+}
+
+slam::LoopCloserConfig config() {
+  slam::LoopCloserConfig result;
+  result.min_separation = 3;
+  return result;
+}
+
+class LoopSearchTest : public ::testing::Test {
+ protected:
+  LoopSearch::Found take() {
+    return [this](const std::vector<graph::Constraint>& constraints, std::uint64_t run) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      runs_.push_back(run);
+      constraints_.insert(constraints_.end(), constraints.begin(), constraints.end());
+      told_.notify_all();
+    };
+  }
+  [[nodiscard]] bool waitForCalls(std::size_t count) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return told_.wait_for(lock, seconds(30), [&] { return runs_.size() >= count; });
+  }
+
+  std::mutex mutex_;
+  std::condition_variable told_;
+  std::vector<std::uint64_t> runs_;
+  std::vector<graph::Constraint> constraints_;
+};
+
+TEST_F(LoopSearchTest, EachKeyframeIsSearchedOnceAsSoonAsItHasAPose) {
+  LoopSearch search(config(), 1, take());
+  for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+    search.addKeyframe(keyframe(id));
+  }
+  search.setPoses(std::vector<Pose2>(2));
+  ASSERT_TRUE(waitForCalls(2));
+  search.setPoses(std::vector<Pose2>(kKeyframes));
+  ASSERT_TRUE(waitForCalls(kKeyframes));
+  search.setPoses(std::vector<Pose2>(kKeyframes));
+  search.stop();
+  EXPECT_EQ(runs_.size(), kKeyframes);
+  EXPECT_EQ(search.searched(), kKeyframes);
+  EXPECT_EQ(search.found(), constraints_.size());
+  ASSERT_FALSE(constraints_.empty());
+  for (const graph::Constraint& loop : constraints_) {
+    EXPECT_EQ(loop.kind, graph::ConstraintKind::kLoop);
+    EXPECT_GE(std::max(loop.from, loop.to) - std::min(loop.from, loop.to), 3U);
+  }
+}
+
+TEST_F(LoopSearchTest, AResetForgetsTheKeyframesOfTheRunBefore) {
+  LoopSearch search(config(), 1, take());
+  for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+    search.addKeyframe(keyframe(id));
+  }
+  search.setPoses(std::vector<Pose2>(kKeyframes));
+  ASSERT_TRUE(waitForCalls(kKeyframes));
+  search.reset(2);
+  EXPECT_EQ(search.searched(), 0U);
+  search.addKeyframe(keyframe(0));
+  search.setPoses(std::vector<Pose2>(1));
+  ASSERT_TRUE(waitForCalls(kKeyframes + 1));
+  search.stop();
+  EXPECT_EQ(runs_.back(), 2U);
+  EXPECT_EQ(search.searched(), 1U);
+}
+
+TEST_F(LoopSearchTest, ItEndsWhileThereIsWorkLeft) {
+  LoopSearch search(config(), 1, take());
+  for (graph::NodeId id = 0; id < 200; ++id) {
+    search.addKeyframe(keyframe(id));
+  }
+  search.setPoses(std::vector<Pose2>(200));
+  search.stop();
+  EXPECT_LT(search.searched(), 200U);
+}
+
+}  // namespace
+}  // namespace omega_slam
