@@ -25,7 +25,7 @@ std::vector<Shot> randomShots(std::mt19937_64& random, int count) {
   for (int k = 0; k < count; ++k) {
     sensing::Sweep sweep;
     sweep.T_base_laser = {0.1, 0.02, angle(random)};
-    for (int beam = 0; beam < 60; ++beam) {
+    for (int beam = 0; beam < 40; ++beam) {
       sweep.beams.push_back(
           {{place(random), place(random)}, static_cast<sensing::BeamKind>(kind(random))});
     }
@@ -78,7 +78,7 @@ TEST(OccupancyMapperProperty, AgreesWithTheSlowWay) {
   for (const std::uint64_t seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    const std::vector<Shot> shots = randomShots(random, 12);
+    const std::vector<Shot> shots = randomShots(random, 6);
     const grid::OccupancyGrid map = draw(shots);
     const auto expected = oracle(shots);
     // The start is rounded once more on the way through cells, so that a beam that meets a border
@@ -106,7 +106,7 @@ TEST(OccupancyMapperProperty, OrderDoesNotMatter) {
   for (const std::uint64_t seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    std::vector<Shot> shots = randomShots(random, 25);
+    std::vector<Shot> shots = randomShots(random, 12);
     const grid::OccupancyGrid first = draw(shots);
     for (int round = 0; round < 3; ++round) {
       std::shuffle(shots.begin(), shots.end(), random);
@@ -123,7 +123,7 @@ TEST(OccupancyMapperProperty, RepeatingEverySweepChangesNothing) {
   for (const std::uint64_t seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    std::vector<Shot> shots = randomShots(random, 10);
+    std::vector<Shot> shots = randomShots(random, 6);
     const grid::OccupancyGrid once = draw(shots);
     const std::vector<Shot> copy = shots;
     shots.insert(shots.end(), copy.begin(), copy.end());
