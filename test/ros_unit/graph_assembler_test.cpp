@@ -77,6 +77,23 @@ TEST(GraphAssembler, ConstraintsBetweenKnownKeyframesGoInAlone) {
   EXPECT_EQ(step->constraints.size(), 1U);
 }
 
+TEST(GraphAssembler, ALoopNeverComesWithAKeyframe) {
+  GraphAssembler assembler;
+  const auto loop = tie(0, 1, kRun, graph::ConstraintKind::kLoop);
+  assembler.add(keyframe(0));
+  assembler.add(keyframe(1));
+  assembler.add(loop);
+  EXPECT_EQ(drain(assembler).first.size(), 1U) << "a loop alone ties nothing";
+  assembler.add(tie(0, 1));
+  const auto node = assembler.next();
+  ASSERT_TRUE(node && node->keyframe);
+  ASSERT_EQ(node->constraints.size(), 1U);
+  EXPECT_EQ(node->constraints[0].kind, graph::ConstraintKind::kMatch);
+  const auto later = assembler.next();
+  ASSERT_TRUE(later && !later->keyframe);
+  EXPECT_EQ(later->constraints[0].kind, graph::ConstraintKind::kLoop);
+}
+
 TEST(GraphAssembler, AnyOrderOfArrivalGivesTheSameGraph) {
   constexpr graph::NodeId kKeyframes = 20;
   for (const std::uint64_t seed : test::seeds()) {

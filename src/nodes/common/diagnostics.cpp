@@ -69,8 +69,8 @@ void Diagnostics::count(Counts& counts, const std::string& what, const std::stri
   if (!logged_.insert(what + cause).second) {
     return;
   }
-  ROS_WARN_STREAM(what << ": " << cause << (sentence.empty() ? "" : ". ") << sentence
-                       << " Further cases are counted on " << names::kDiagnostics << ".");
+  ROS_WARN_STREAM(what << ": " << cause << ". " << sentence << (sentence.empty() ? "" : " ")
+                       << "Further cases are counted on " << names::kDiagnostics << ".");
 }
 
 void Diagnostics::set(const std::string& key, const std::string& value) {

@@ -63,21 +63,32 @@ GraphAssembler::Verdict GraphAssembler::add(ConstraintArrival arrival) {
   return is_news ? Verdict::kTaken : Verdict::kKnown;
 }
 
+template <class Condition>
+std::vector<graph::Constraint> GraphAssembler::take(Condition condition) {
+  const auto taken = std::stable_partition(constraints_.begin(), constraints_.end(),
+                                           [&](const auto& c) { return !condition(c); });
+  std::vector<graph::Constraint> result(taken, constraints_.end());
+  constraints_.erase(taken, constraints_.end());
+  return result;
+}
+
 std::optional<GraphStep> GraphAssembler::next() {
   const auto size = static_cast<graph::NodeId>(stamps_.size());
-  if (size > 0) {
-    if (auto ready = takeConstraints(size - 1); !ready.empty()) {
-      return GraphStep{std::nullopt, std::move(ready)};
-    }
+  const auto is_among_known = [&](const graph::Constraint& c) { return newestNode(c) < size; };
+  if (auto ready = take(is_among_known); !ready.empty()) {
+    return GraphStep{std::nullopt, std::move(ready)};
   }
+  // A loop does not place a node but moves many: it comes after, for the graph to know it as one.
+  const auto ties_next = [&](const graph::Constraint& c) {
+    return newestNode(c) == size && c.kind != graph::ConstraintKind::kLoop;
+  };
   const auto keyframe = keyframes_.find(size);
-  const bool is_tied = std::any_of(
-      constraints_.begin(), constraints_.end(),
-      [&](const graph::Constraint& constraint) { return newestNode(constraint) == size; });
-  if (keyframe == keyframes_.end() || (size > 0 && !is_tied)) {
+  const bool is_tied =
+      size == 0 || std::any_of(constraints_.begin(), constraints_.end(), ties_next);
+  if (keyframe == keyframes_.end() || !is_tied) {
     return std::nullopt;
   }
-  GraphStep step{keyframe->second, takeConstraints(size)};
+  GraphStep step{keyframe->second, take(ties_next)};
   keyframes_.erase(keyframe);
   stamps_.push_back(step.keyframe->stamp);
   return step;
@@ -95,15 +106,6 @@ void GraphAssembler::forget() {
   keyframes_.clear();
   constraints_.clear();
   known_.clear();
-}
-
-std::vector<graph::Constraint> GraphAssembler::takeConstraints(graph::NodeId newest) {
-  const auto ready = std::stable_partition(
-      constraints_.begin(), constraints_.end(),
-      [&](const graph::Constraint& constraint) { return newestNode(constraint) > newest; });
-  std::vector<graph::Constraint> taken(ready, constraints_.end());
-  constraints_.erase(ready, constraints_.end());
-  return taken;
 }
 
 }  // namespace omega_slam

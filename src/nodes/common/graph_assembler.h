@@ -32,8 +32,9 @@ struct ConstraintArrival {
 
 /// Something that may go into the graph now.
 struct GraphStep {
-  std::optional<KeyframeArrival> keyframe;     ///< a new node, or none:
-  std::vector<graph::Constraint> constraints;  ///< that tie it, or tie nodes there were before
+  std::optional<KeyframeArrival> keyframe;  ///< a new node, or none:
+  std::vector<graph::Constraint>
+      constraints;  ///< that tie it, but no loops; or between older nodes
 };
 
 /// Puts what arrives on two topics in the order in which the graph can take it. Keyframes and
@@ -67,8 +68,9 @@ class GraphAssembler {
  private:
   using Key = std::tuple<graph::NodeId, graph::NodeId, graph::ConstraintKind>;
   void forget();
-  /// Takes the constraints whose newest node is not newer than `newest` out of those that wait.
-  [[nodiscard]] std::vector<graph::Constraint> takeConstraints(graph::NodeId newest);
+  /// Takes the constraints that meet the condition out of those that wait.
+  template <class Condition>
+  [[nodiscard]] std::vector<graph::Constraint> take(Condition condition);
 
   std::uint64_t run_{0};
   std::uint64_t ended_run_{0};     ///< reset by hand

@@ -65,6 +65,8 @@ void GraphWorker::work() {
     if (grow()) {
       if (back_end_.wantsSolve()) {
         solve();
+      } else if (back_end_.report().status != graph::SolveStatus::kFailed) {
+        diagnostics_.setHealth(DiagnosticStatus::OK, "growing");
       }
       share(assembler_.run());
     }
