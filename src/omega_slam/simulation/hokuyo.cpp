@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "omega_slam/simulation/validation.h"
+#include "omega_slam/geometry/validation.h"
 
 namespace omega_slam::simulation {
 namespace {
@@ -17,27 +17,25 @@ constexpr int kMaxDraws = 32;
 }  // namespace
 
 std::vector<std::string> HokuyoConfig::validate() const {
-  Violations violations;
-  violations.requirePositive("rate", rate);
-  violations.require(beams >= 1, "beams must be at least 1.");
-  violations.requirePositive("angle_increment", angle_increment);
-  violations.require(beams * angle_increment <= 2.0 * geometry::kPi,
-                     "beams * angle_increment must not exceed a full turn.");
-  violations.requireNotNegative("range_min", range_min);
-  violations.require(std::isfinite(range_max) && range_max > range_min,
-                     "range_max must be above range_min.");
-  violations.requireNotNegative("dark_range", dark_range);
-  violations.requireNotNegative("near_accuracy", near_accuracy);
-  violations.requireNotNegative("near_limit", near_limit);
-  violations.requireNotNegative("far_accuracy", far_accuracy);
-  violations.require(std::isfinite(accuracy_in_deviations) && accuracy_in_deviations >= 1.0,
-                     "accuracy_in_deviations must be at least 1.");
+  geometry::Violations violations;
+  violations.requireAbove("rate", rate, 0.0);
+  violations.requireAtLeast("beams", beams, 1.0);
+  violations.requireAbove("angle_increment", angle_increment, 0.0);
+  violations.requireWithin("beams * angle_increment", std::max(beams, 0) * angle_increment, 0.0,
+                           2.0 * geometry::kPi);
+  violations.requireAtLeast("range_min", range_min, 0.0);
+  violations.requireAbove("range_max", range_max, range_min);
+  violations.requireAtLeast("dark_range", dark_range, 0.0);
+  violations.requireAtLeast("near_accuracy", near_accuracy, 0.0);
+  violations.requireAtLeast("near_limit", near_limit, 0.0);
+  violations.requireAtLeast("far_accuracy", far_accuracy, 0.0);
+  violations.requireAtLeast("accuracy_in_deviations", accuracy_in_deviations, 1.0);
   return violations.sentences();
 }
 
 Hokuyo::Hokuyo(const HokuyoConfig& config, double start, std::uint64_t seed)
     : config_(config), start_(start), random_(seed) {
-  throwIfAny(config_.validate());
+  geometry::throwIfAny(config_.validate());
   beginScan();
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "omega_slam/geometry/angle.h"
-#include "omega_slam/simulation/validation.h"
+#include "omega_slam/geometry/validation.h"
 
 namespace omega_slam::simulation {
 namespace {
@@ -34,19 +34,19 @@ Bumper pressedFrom(double bearing) {
 }  // namespace
 
 std::vector<std::string> KobukiConfig::validate() const {
-  Violations violations;
-  violations.requirePositive("radius", radius);
-  violations.requirePositive("max_linear_speed", max_linear_speed);
-  violations.requirePositive("max_angular_speed", max_angular_speed);
-  violations.requirePositive("max_linear_acceleration", max_linear_acceleration);
-  violations.requirePositive("max_angular_acceleration", max_angular_acceleration);
-  violations.requirePositive("command_timeout", command_timeout);
+  geometry::Violations violations;
+  violations.requireAbove("radius", radius, 0.0);
+  violations.requireAbove("max_linear_speed", max_linear_speed, 0.0);
+  violations.requireAbove("max_angular_speed", max_angular_speed, 0.0);
+  violations.requireAbove("max_linear_acceleration", max_linear_acceleration, 0.0);
+  violations.requireAbove("max_angular_acceleration", max_angular_acceleration, 0.0);
+  violations.requireAbove("command_timeout", command_timeout, 0.0);
   return violations.sentences();
 }
 
 Kobuki::Kobuki(const KobukiConfig& config, const geometry::Pose2& T_world_base)
     : config_(config), T_world_base_(T_world_base) {
-  throwIfAny(config_.validate());
+  geometry::throwIfAny(config_.validate());
 }
 
 bool Kobuki::command(const Twist2& target) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "omega_slam/simulation/validation.h"
+#include "omega_slam/geometry/validation.h"
 
 namespace omega_slam::simulation {
 namespace {
@@ -17,20 +17,17 @@ void turnWheel(Odometry::Wheel& wheel, double angle, double dt) {
 }  // namespace
 
 std::vector<std::string> OdometryConfig::validate() const {
-  Violations violations;
-  violations.requireNotNegative("rotation_per_rotation", noise.rotation_per_rotation);
-  violations.requireNotNegative("rotation_per_translation", noise.rotation_per_translation);
-  violations.requireNotNegative("translation_per_translation", noise.translation_per_translation);
-  violations.requireNotNegative("translation_per_rotation", noise.translation_per_rotation);
-  violations.requirePositive("segment", segment);
-  violations.requirePositive("wheel_separation", wheel_separation);
-  violations.requirePositive("wheel_radius", wheel_radius);
+  geometry::Violations violations;
+  violations.include("noise", noise.validate());
+  violations.requireAbove("segment", segment, 0.0);
+  violations.requireAbove("wheel_separation", wheel_separation, 0.0);
+  violations.requireAbove("wheel_radius", wheel_radius, 0.0);
   return violations.sentences();
 }
 
 Odometry::Odometry(const OdometryConfig& config, std::uint64_t seed)
     : config_(config), random_(seed) {
-  throwIfAny(config_.validate());
+  geometry::throwIfAny(config_.validate());
 }
 
 void Odometry::advance(const Arc& driven, double dt) {

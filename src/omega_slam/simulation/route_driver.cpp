@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "omega_slam/geometry/angle.h"
-#include "omega_slam/simulation/validation.h"
+#include "omega_slam/geometry/validation.h"
 
 namespace omega_slam::simulation {
 namespace {
@@ -21,18 +21,18 @@ constexpr double kBackOffPatience = 2.0;  // backing off may take so many times 
 }  // namespace
 
 std::vector<std::string> RouteDriverConfig::validate() const {
-  Violations violations;
-  violations.requirePositive("max_linear_speed", max_linear_speed);
-  violations.requirePositive("max_angular_speed", max_angular_speed);
-  violations.requirePositive("deceleration", deceleration);
-  violations.requirePositive("corner_speed", corner_speed);
-  violations.requirePositive("turn_in_place_angle", turn_in_place_angle);
-  violations.requirePositive("look_ahead", look_ahead);
-  violations.requirePositive("waypoint_tolerance", waypoint_tolerance);
-  violations.requirePositive("stall_time", stall_time);
-  violations.requirePositive("back_off_distance", back_off_distance);
-  violations.requirePositive("back_off_speed", back_off_speed);
-  violations.require(max_bumps >= 0, "max_bumps must not be below 0.");
+  geometry::Violations violations;
+  violations.requireAbove("max_linear_speed", max_linear_speed, 0.0);
+  violations.requireAbove("max_angular_speed", max_angular_speed, 0.0);
+  violations.requireAbove("deceleration", deceleration, 0.0);
+  violations.requireAbove("corner_speed", corner_speed, 0.0);
+  violations.requireAbove("turn_in_place_angle", turn_in_place_angle, 0.0);
+  violations.requireAbove("look_ahead", look_ahead, 0.0);
+  violations.requireAbove("waypoint_tolerance", waypoint_tolerance, 0.0);
+  violations.requireAbove("stall_time", stall_time, 0.0);
+  violations.requireAbove("back_off_distance", back_off_distance, 0.0);
+  violations.requireAbove("back_off_speed", back_off_speed, 0.0);
+  violations.requireAtLeast("max_bumps", max_bumps, 0.0);
   return violations.sentences();
 }
 
@@ -50,7 +50,7 @@ std::string RouteStatus::toString() const {
 
 RouteDriver::RouteDriver(const RouteDriverConfig& config, std::vector<Eigen::Vector2d> route)
     : config_(config), route_(std::move(route)) {
-  throwIfAny(config_.validate());
+  geometry::throwIfAny(config_.validate());
   for (const Eigen::Vector2d& waypoint : route_) {
     if (!waypoint.allFinite()) {
       throw std::invalid_argument("Every waypoint of a route must be finite.");

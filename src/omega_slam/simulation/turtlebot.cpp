@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "omega_slam/simulation/validation.h"
+#include "omega_slam/geometry/validation.h"
 
 namespace omega_slam::simulation {
 namespace {
@@ -19,34 +19,29 @@ std::uint64_t streamSeed(std::uint64_t seed, std::uint64_t stream) {
   return z ^ (z >> 31U);
 }
 
+constexpr double kFarthestLaser = 10.0;  // [m] from the base; farther is a slip of the pen
+
 enum Stream : std::uint64_t { kOdometryStream = 1, kLaserStream = 2 };
 
-void append(std::vector<std::string>& sentences, const std::string& group,
-            const std::vector<std::string>& violations) {
-  for (const std::string& violation : violations) {
-    sentences.push_back(group + "/" + violation);
-  }
-}
-
 const TurtleBotConfig& checked(const TurtleBotConfig& config) {
-  throwIfAny(config.validate());
+  geometry::throwIfAny(config.validate());
   return config;
 }
 
 }  // namespace
 
 std::vector<std::string> TurtleBotConfig::validate() const {
-  Violations violations;
-  violations.requirePositive("time_step", time_step);
-  violations.requirePositive("start_time", start_time);
-  violations.require(T_base_laser.isFinite(), "laser_pose must be finite.");
-  violations.require(!(hokuyo.rate * time_step > 1.0),
-                     "hokuyo/rate must be at most one scan for each time_step.");
-  std::vector<std::string> sentences = violations.sentences();
-  append(sentences, "kobuki", kobuki.validate());
-  append(sentences, "odometry", odometry.validate());
-  append(sentences, "hokuyo", hokuyo.validate());
-  return sentences;
+  geometry::Violations violations;
+  violations.requireWithin("time_step", time_step, 1e-4, 1.0);
+  violations.requireWithin("start_time", start_time, 1e-3, 1e9);
+  violations.requireWithin("laser_pose x", T_base_laser.x, -kFarthestLaser, kFarthestLaser);
+  violations.requireWithin("laser_pose y", T_base_laser.y, -kFarthestLaser, kFarthestLaser);
+  violations.requireWithin("laser_pose yaw", T_base_laser.theta, -10.0, 10.0);
+  violations.requireWithin("hokuyo/rate * time_step", hokuyo.rate * time_step, 0.0, 1.0);
+  violations.include("kobuki", kobuki.validate());
+  violations.include("odometry", odometry.validate());
+  violations.include("hokuyo", hokuyo.validate());
+  return violations.sentences();
 }
 
 TurtleBot::TurtleBot(std::shared_ptr<const World> world, const geometry::Pose2& T_world_base,

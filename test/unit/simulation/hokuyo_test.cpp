@@ -158,7 +158,8 @@ TEST(HokuyoConfiguration, NamesEveryViolation) {
   EXPECT_THROW(Hokuyo(config, 0.0, 1), std::invalid_argument);
   HokuyoConfig too_wide;
   too_wide.beams = 1025;
-  EXPECT_THAT(too_wide.validate(), ::testing::ElementsAre(::testing::HasSubstr("full turn")));
+  EXPECT_THAT(too_wide.validate(),
+              ::testing::ElementsAre(::testing::HasSubstr("beams * angle_increment")));
 }
 
 }  // namespace
