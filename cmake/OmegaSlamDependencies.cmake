@@ -6,6 +6,7 @@ find_package(PCL REQUIRED COMPONENTS common kdtree search registration)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
 find_package(yaml-cpp REQUIRED)
 find_package(fmt REQUIRED)
+find_package(nanoflann REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
@@ -22,5 +23,5 @@ add_library(omega_slam_dependencies INTERFACE)
 target_include_directories(omega_slam_dependencies SYSTEM INTERFACE
   ${PCL_INCLUDE_DIRS} ${OpenCV_INCLUDE_DIRS} ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(omega_slam_dependencies INTERFACE
-  Eigen3::Eigen pcl_registration pcl_search pcl_kdtree pcl_common ${OpenCV_LIBS} yaml-cpp fmt::fmt nlohmann_json::nlohmann_json
-  CLI11::CLI11 ${CHOLMOD_LIBRARY} Threads::Threads)
+  Eigen3::Eigen pcl_registration pcl_search pcl_kdtree pcl_common ${OpenCV_LIBS} yaml-cpp fmt::fmt
+  nanoflann::nanoflann nlohmann_json::nlohmann_json CLI11::CLI11 ${CHOLMOD_LIBRARY} Threads::Threads)
