@@ -132,7 +132,11 @@ class SimulatorTest(unittest.TestCase):
     def test_clock_goes_forward_in_steps(self):
         clocks = [message.clock.to_sec() for message in Recorder('/clock', Clock).wait(50)]
         for before, after in zip(clocks, clocks[1:]):
-            self.assertAlmostEqual(after - before, STEP, 6)
+            # rospy listens to the clock itself, with a queue of one that it shares with us: on a
+            # busy machine it skips some.
+            steps = round((after - before) / STEP)
+            self.assertGreaterEqual(steps, 1)
+            self.assertAlmostEqual(after - before, steps * STEP, 6)
 
     def test_clock_is_never_behind_the_stamps(self):
         scan = Recorder('scan', LaserScan)
