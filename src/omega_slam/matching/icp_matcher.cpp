@@ -14,6 +14,7 @@
 
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/matching/match_quality.h"
+#include "omega_slam/matching/point_to_line.h"
 
 namespace omega_slam::matching {
 
@@ -26,6 +27,7 @@ using Icp = pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>;
 
 /// PCL's step that ends the search [m^2 of squared translation]; well below what a laser resolves.
 constexpr double kSmallestStep = 1e-8;
+constexpr int kRefinements = 10;
 
 Cloud::Ptr toCloud(const Points& points) {
   auto cloud = Cloud::Ptr(new Cloud);
@@ -108,8 +110,14 @@ MatchResult IcpMatcher::match(const Points& reference, const Points& scan,
         icp.getConvergeCriteria()->getConvergenceState() !=
         pcl::registration::DefaultConvergenceCriteria<float>::CONVERGENCE_CRITERIA_ITERATIONS;
   }
-  MatchResult result = judgeMatch(reference, scan, T_reference_scan,
-                                  {config_.outlier_distance, config_.range_noise});
+  SurfaceModel model(reference);
+  if (config_.refine) {
+    T_reference_scan =
+        refinePointToLine(model, scan, T_reference_scan,
+                          {kRefinements, config_.outlier_distance, config_.range_noise});
+  }
+  MatchResult result =
+      judgeMatch(model, scan, T_reference_scan, {config_.outlier_distance, config_.range_noise});
   result.converged = converged;
   if (!converged && result.failure == MatchFailure::kNone) {
     result.failure = MatchFailure::kNotConverged;

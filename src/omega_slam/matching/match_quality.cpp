@@ -5,51 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "omega_slam/matching/point_index.h"
-
 namespace omega_slam::matching {
 
 using geometry::Pose2;
 
 namespace {
 
-constexpr double kSurfaceRadius = 0.3;     // [m] neighbours that make up the surface around a point
-constexpr double kLineFlatness = 0.25;     // minor over major axis; above, it is no line
 constexpr double kPriorTranslation = 1.0;  // [m] deviation along directions that nothing determines
 constexpr double kPriorRotation = 0.5;     // [rad]
 constexpr double kFloorTranslation = 0.01;    // [m]
 constexpr double kFloorRotation = 0.003;      // [rad]
 constexpr double kDegenerateDeviation = 0.3;  // [m] a direction known no better is not determined
-
-/// The line through the points around a place.
-struct Surface {
-  Eigen::Vector2d normal{0.0, 0.0};  // unit; zero where the points form no line
-  double slope_variance{0.0};        // of the normal's direction [rad^2]
-};
-
-Surface fitSurface(const Points& points, const std::vector<PointIndex::Neighbour>& neighbours) {
-  if (neighbours.size() < 3) {
-    return {};
-  }
-  const auto count = static_cast<double>(neighbours.size());
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const auto& neighbour : neighbours) {
-    mean += points[neighbour.index] / count;
-  }
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (const auto& neighbour : neighbours) {
-    const Eigen::Vector2d d = points[neighbour.index] - mean;
-    scatter += d * d.transpose();
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(scatter);
-  const double across = std::max(axes.eigenvalues()[0], 0.0);
-  const double along = axes.eigenvalues()[1];
-  if (across >= kLineFlatness * kLineFlatness * along) {
-    return {};
-  }
-  return {axes.eigenvectors().col(0), across / (count - 2.0) / along};
-}
 
 /// Information that the distance to a surface gives on the place of a point, in units of the
 /// distance's variance: n n^T for the normal n. A normal tilted by noise would pretend to know
@@ -66,26 +32,21 @@ struct Evidence {
   Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};  // in units of a distance's variance
 };
 
-Evidence gatherEvidence(const Points& reference, const Points& scan, const Pose2& T_reference_scan,
-                        double outlier_distance) {
-  const PointIndex index(reference);
+Evidence gatherEvidence(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
+                        double reach) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
-  std::vector<PointIndex::Neighbour> nearest;
-  std::vector<PointIndex::Neighbour> around;
   Evidence evidence;
   for (const Eigen::Vector2d& p_scan : scan) {
     const Eigen::Vector2d arm = rotation * p_scan;
     const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
-    index.nearest(p_reference, 1, nearest);
-    if (nearest.empty() || nearest.front().squared_distance > outlier_distance * outlier_distance) {
+    const auto partner = reference.partnerOf(p_reference, reach);
+    if (!partner) {
       continue;
     }
-    const Eigen::Vector2d& partner = reference[nearest.front().index];
-    index.within(partner, kSurfaceRadius, around);
-    const Surface surface = fitSurface(reference, around);
-    const Eigen::Vector2d gap = p_reference - partner;
+    const Surface& surface = partner->surface;
+    const Eigen::Vector2d gap = p_reference - partner->point;
     // Along a wall the spacing of its points is no error.
-    const double residual = surface.normal.isZero() ? gap.norm() : surface.normal.dot(gap);
+    const double residual = surface.isLine() ? surface.normal.dot(gap) : gap.norm();
     Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
     jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
     evidence.hessian += jacobian.transpose() * pointInformation(surface) * jacobian;
@@ -116,7 +77,7 @@ Eigen::Matrix3d covarianceOf(const Evidence& evidence, double deviation) {
 
 }  // namespace
 
-MatchResult judgeMatch(const Points& reference, const Points& scan, const Pose2& T_reference_scan,
+MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
                        const MatchQualityConfig& config) {
   MatchResult result;
   result.T_reference_scan = T_reference_scan;

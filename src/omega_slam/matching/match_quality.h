@@ -2,12 +2,13 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/matching/scan_matcher.h"
+#include "omega_slam/matching/surface_model.h"
 
 namespace omega_slam::matching {
 
 struct MatchQualityConfig {
-  double outlier_distance{0.15};  ///< [m] farther partners are none
-  double range_noise{0.02};       ///< [m] standard deviation of a range
+  double outlier_distance{0.1};  ///< [m] farther partners are none
+  double range_noise{0.02};      ///< [m] standard deviation of a range
 };
 
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
@@ -24,7 +25,7 @@ struct MatchQualityConfig {
 ///
 /// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate
 /// where that holds.
-[[nodiscard]] MatchResult judgeMatch(const Points& reference, const Points& scan,
+[[nodiscard]] MatchResult judgeMatch(SurfaceModel& reference, const Points& scan,
                                      const geometry::Pose2& T_reference_scan,
                                      const MatchQualityConfig& config);
 

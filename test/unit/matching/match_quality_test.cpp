@@ -9,12 +9,16 @@
 namespace omega_slam::matching {
 namespace {
 
-const MatchQualityConfig kConfig;
+MatchResult judge(const Points& reference, const Points& scan,
+                  const geometry::Pose2& T_reference_scan) {
+  SurfaceModel model(reference);
+  return judgeMatch(model, scan, T_reference_scan, {});
+}
 
 TEST(MatchQuality, PerfectMatchIsConfidentAndTight) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::furnishedRoom(), {}, 360, 0.0, random);
-  const MatchResult result = judgeMatch(scan, scan, {}, kConfig);
+  const MatchResult result = judge(scan, scan, {});
   EXPECT_DOUBLE_EQ(result.overlap, 1.0);
   EXPECT_NEAR(result.residual, 0.0, 1e-9);
   EXPECT_GT(result.confidence, 0.99);
@@ -26,15 +30,15 @@ TEST(MatchQuality, PerfectMatchIsConfidentAndTight) {
 TEST(MatchQuality, WrongPoseIsLessConfident) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::furnishedRoom(), {}, 360, 0.01, random);
-  const double right = judgeMatch(scan, scan, {}, kConfig).confidence;
-  EXPECT_LT(judgeMatch(scan, scan, {0.3, 0.0, 0.0}, kConfig).confidence, right);
-  EXPECT_LT(judgeMatch(scan, scan, {0.0, 0.0, 0.5}, kConfig).confidence, 0.7 * right);
+  const double right = judge(scan, scan, {}).confidence;
+  EXPECT_LT(judge(scan, scan, {0.3, 0.0, 0.0}).confidence, right);
+  EXPECT_LT(judge(scan, scan, {0.0, 0.0, 0.5}).confidence, 0.7 * right);
 }
 
 TEST(MatchQuality, FarApartThereIsNoOverlap) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::furnishedRoom(), {}, 90, 0.01, random);
-  const MatchResult result = judgeMatch(scan, scan, {100.0, 0.0, 0.0}, kConfig);
+  const MatchResult result = judge(scan, scan, {100.0, 0.0, 0.0});
   EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
   EXPECT_EQ(result.confidence, 0.0);
   EXPECT_TRUE(result.covariance.allFinite());
@@ -43,7 +47,7 @@ TEST(MatchQuality, FarApartThereIsNoOverlap) {
 TEST(MatchQuality, CorridorLeavesItsDirectionOpen) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::endlessCorridor(), {}, 360, 0.01, random);
-  const MatchResult result = judgeMatch(scan, scan, {}, kConfig);
+  const MatchResult result = judge(scan, scan, {});
   EXPECT_EQ(result.failure, MatchFailure::kDegenerate);
   EXPECT_GT(std::sqrt(result.covariance(0, 0)), 0.3) << "along the corridor";
   EXPECT_LT(std::sqrt(result.covariance(1, 1)), 0.02) << "across";
@@ -53,8 +57,8 @@ TEST(MatchQuality, CorridorLeavesItsDirectionOpen) {
 TEST(MatchQuality, EmptyScanHasNoOverlap) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::furnishedRoom(), {}, 90, 0.01, random);
-  EXPECT_EQ(judgeMatch(scan, {}, {}, kConfig).failure, MatchFailure::kNoOverlap);
-  EXPECT_EQ(judgeMatch({}, scan, {}, kConfig).failure, MatchFailure::kNoOverlap);
+  EXPECT_EQ(judge(scan, {}, {}).failure, MatchFailure::kNoOverlap);
+  EXPECT_EQ(judge({}, scan, {}).failure, MatchFailure::kNoOverlap);
 }
 
 }  // namespace
