@@ -111,11 +111,8 @@ MatchResult IcpMatcher::match(const Points& reference, const Points& scan,
         pcl::registration::DefaultConvergenceCriteria<float>::CONVERGENCE_CRITERIA_ITERATIONS;
   }
   SurfaceModel model(reference);
-  if (config_.refine) {
-    T_reference_scan =
-        refinePointToLine(model, scan, T_reference_scan,
-                          {kRefinements, config_.outlier_distance, config_.range_noise});
-  }
+  T_reference_scan = refinePointToLine(
+      model, scan, T_reference_scan, {kRefinements, config_.outlier_distance, config_.range_noise});
   MatchResult result =
       judgeMatch(model, scan, T_reference_scan, {config_.outlier_distance, config_.range_noise});
   result.converged = converged;

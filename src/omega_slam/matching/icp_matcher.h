@@ -11,7 +11,6 @@ struct IcpMatcherConfig {
   int max_iterations{50};
   double max_correspondence_distance{0.5};  ///< [m] first pass: how far off the guess may be
   double outlier_distance{0.1};             ///< [m] second pass: farther partners are outliers
-  bool refine{true};                        ///< end with point-to-line steps
   int min_returns{30};                      ///< scans with fewer returns are refused
   double range_noise{0.02};  ///< [m] standard deviation of a range, scales the covariance
 

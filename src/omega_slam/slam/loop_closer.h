@@ -15,7 +15,7 @@ struct LoopCloserConfig {
   int min_separation{20};     ///< keyframes between a candidate and the newest
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
-  double min_confidence{0.7};  ///< [0, 1]
+  double min_confidence{0.8};  ///< [0, 1]
   matching::IcpMatcherConfig icp;
 
   [[nodiscard]] std::vector<std::string> validate() const;
