@@ -4,6 +4,8 @@
 #include <rosbag/query.h>
 #include <rosbag/view.h>
 
+#include <algorithm>
+
 #include "nodes/common/tf_lookup.h"
 
 namespace omega_slam {
@@ -11,6 +13,9 @@ namespace {
 
 // tf2 calls a time of zero "the newest there is".
 const ros::Time kNewest(0);
+
+// Stamps of one frame that fall back by more than this [s] are a clock that was set back.
+constexpr double kJump = 1.0;
 
 constexpr char kAuthority[] = "bag";
 constexpr std::size_t kMostLinks = 12;  // that a message lists
@@ -63,29 +68,28 @@ void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (geometry_msgs::TransformStamped transform : message.transforms) {
     transform.header.frame_id = frameName(transform.header.frame_id);
     transform.child_frame_id = frameName(transform.child_frame_id);
+    if (!is_static) {
+      forgetIfClockJumpedBack(transform);
+    }
     if (buffer_.setTransform(transform, kAuthority, is_static)) {
       parents_[transform.child_frame_id] = transform.header.frame_id;
     }
   }
 }
 
-bool BagFrames::connects(const std::string& a, const std::string& b) const {
-  return buffer_.canTransform(a, b, kNewest);
+void BagFrames::forgetIfClockJumpedBack(const geometry_msgs::TransformStamped& transform) {
+  const double stamp = transform.header.stamp.toSec();
+  const auto newest = newest_.insert({transform.child_frame_id, stamp}).first;
+  if (stamp < newest->second - kJump) {
+    buffer_.clear();
+    newest_ = {{transform.child_frame_id, stamp}};
+  } else {
+    newest->second = std::max(newest->second, stamp);
+  }
 }
 
-std::vector<std::string> BagFrames::way(const std::string& from, const std::string& up_to) const {
-  std::vector<std::string> children;
-  std::string frame = from;
-  // A loop among the frames must not hold us.
-  while (frame != up_to && children.size() < parents_.size()) {
-    const auto parent = parents_.find(frame);
-    if (parent == parents_.end()) {
-      break;
-    }
-    children.push_back(frame);
-    frame = parent->second;
-  }
-  return children;
+bool BagFrames::connects(const std::string& a, const std::string& b) const {
+  return buffer_.canTransform(a, b, kNewest);
 }
 
 std::string BagFrames::links() const {
@@ -110,6 +114,7 @@ BagRoles findRoles(const rosbag::Bag& bag, const std::string& path, const BagTop
   }
   rosbag::View view(bag, rosbag::TopicQuery(topics.tf));
   for (const rosbag::MessageInstance& instance : view) {
+    requireSaneSize(instance, bag, path);
     if (const auto message = instance.instantiate<tf2_msgs::TFMessage>()) {
       frames.add(*message, isStaticTf(instance.getTopic()));
     }

@@ -16,7 +16,8 @@
 namespace omega_slam {
 
 /// The tf of a bag, fed message by message in the order of the recording. Frames lose the leading
-/// '/' that tf1 allowed. Not thread-safe.
+/// '/' that tf1 allowed. Where the clock jumps back, what moves is forgotten; what is static stays.
+/// Not thread-safe.
 class BagFrames {
  public:
   /// @param is_static whether the message came on tf_static
@@ -26,18 +27,15 @@ class BagFrames {
 
   /// Whether there is a way between two frames at one moment at least.
   [[nodiscard]] bool connects(const std::string& a, const std::string& b) const;
-  /// The child frames on the way from a frame up to another: each of their transforms moves it.
-  [[nodiscard]] std::vector<std::string> way(const std::string& from,
-                                             const std::string& up_to) const;
   /// "odom -> base_link, base_link -> laser": what has been seen, for messages.
   [[nodiscard]] std::string links() const;
 
-  /// Forgets what moves; what is static stays. For a clock that jumped back.
-  void clear() { buffer_.clear(); }
-
  private:
+  void forgetIfClockJumpedBack(const geometry_msgs::TransformStamped& transform);
+
   tf2::BufferCore buffer_;
   std::map<std::string, std::string> parents_;  ///< by child
+  std::map<std::string, double> newest_;        ///< [s] stamp of each moving child's transform
 };
 
 /// Which frames of a bag play which part.

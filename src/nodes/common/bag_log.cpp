@@ -19,8 +19,6 @@ namespace {
 // A scan waits so long for its odometry [s of the bag's time]: longer than any driver is late.
 constexpr double kPatience = 10.0;
 constexpr std::size_t kMostWaiting = 1000;
-// tf stamps of the odometry that fall back by more than this [s] are a clock that was set back.
-constexpr double kJump = 1.0;
 
 /// The first message of a topic.
 template <class Message>
@@ -28,6 +26,7 @@ typename Message::ConstPtr firstOf(const rosbag::Bag& bag, const std::string& pa
                                    const std::string& topic) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   for (const rosbag::MessageInstance& instance : view) {
+    requireSaneSize(instance, bag, path);
     if (const auto message = instance.instantiate<Message>()) {
       return message;
     }
@@ -126,6 +125,7 @@ bool BagLog::readMessage() {
     return false;
   }
   const rosbag::MessageInstance& instance = **message_;
+  requireSaneSize(instance, bag_, path_);
   if (instance.getTopic() == topics_.scan) {
     readScan(instance);
   } else if (instance.getTopic() == topics_.odometry) {
@@ -178,26 +178,12 @@ void BagLog::readTransforms(const rosbag::MessageInstance& instance) {
   if (!message) {
     return;
   }
-  bool moved = false;
-  const auto way = frames_.way(report_.base_frame, odom_frame_);
-  for (const auto& transform : message->transforms) {
-    const std::string child = frameName(transform.child_frame_id);
-    if (child != report_.base_frame && std::find(way.begin(), way.end(), child) == way.end()) {
-      continue;
-    }
-    const double stamp = transform.header.stamp.toSec();
-    if (stamp < newest_transform_ - kJump && !isStaticTf(instance.getTopic())) {
-      frames_.clear();
-    }
-    newest_transform_ = stamp;
-    moved = true;
-  }
   frames_.add(*message, isStaticTf(instance.getTopic()));
-  if (!moved) {
+  if (!frames_.connects(odom_frame_, report_.base_frame)) {
     return;
   }
   const auto odometry = lookupOdometry(frames_.buffer(), odom_frame_, report_.base_frame);
-  // Where several transforms make up the way, not each brings it forward.
+  // Most messages are of other frames, and bring nothing new.
   if (odometry.value && (odometry_.empty() || odometry.value->stamp != odometry_.newest())) {
     addOdometry(odometry.value->stamp, odometry.value->pose);
   }

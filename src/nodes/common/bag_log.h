@@ -79,7 +79,6 @@ class BagLog : public io::ScanSource {
   BagTopics topics_;
   BagFrames frames_;
   std::string odom_frame_;
-  double newest_transform_{0.0};  ///< [s] among those between odometry and base
   std::unique_ptr<rosbag::View> view_;
   std::optional<rosbag::View::iterator> message_;  ///< the next to be read
   std::size_t messages_read_{0};

@@ -8,6 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 
@@ -15,6 +16,9 @@
 
 namespace omega_slam {
 namespace {
+
+// A bag is longer than any of its messages, but where it is short and compressed [bytes].
+constexpr std::uint64_t kSmallestLimit = 65536;
 
 struct Topic {
   std::string type;
@@ -157,6 +161,13 @@ BagTopics chooseTopics(const rosbag::Bag& bag, const std::string& path,
                                typeName<nav_msgs::Odometry>(), listTopics(bag)));
   }
   return topics;
+}
+
+void requireSaneSize(const rosbag::MessageInstance& instance, const rosbag::Bag& bag,
+                     const std::string& path) {
+  if (instance.size() > std::max(bag.getSize(), kSmallestLimit)) {
+    throw BagError(path + ": the bag is damaged: a message is longer than all of it.");
+  }
 }
 
 bool isStaticTf(const std::string& topic) { return isSameName(topic, "tf_static"); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <rosbag/bag.h>
+#include <rosbag/message_instance.h>
 
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,11 @@ void openBag(rosbag::Bag& bag, const std::string& path);
 [[nodiscard]] BagTopics chooseTopics(const rosbag::Bag& bag, const std::string& path,
                                      const std::string& scan_topic,
                                      const std::string& odometry_topic);
+
+/// rosbag believes any length that it reads, and reads on beyond the end of what it holds.
+/// @throws BagError if the message claims to be longer than the bag
+void requireSaneSize(const rosbag::MessageInstance& instance, const rosbag::Bag& bag,
+                     const std::string& path);
 
 /// Whether the transforms of a topic hold for all time.
 [[nodiscard]] bool isStaticTf(const std::string& topic);
