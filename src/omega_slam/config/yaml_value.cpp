@@ -13,6 +13,7 @@
 namespace omega_slam::config {
 namespace {
 
+constexpr double kLongInteger = 1e9;         // from which on an exponent is easier to read
 constexpr std::size_t kLongestQuote = 60;    // letters of a text that a message repeats
 constexpr std::size_t kLongestNumber = 200;  // letters; std::regex recurses once for each
 
@@ -160,7 +161,10 @@ std::string numberText(double value) {
   if (!std::isfinite(value)) {
     return std::isnan(value) ? ".nan" : value > 0.0 ? ".inf" : "-.inf";
   }
-  for (const int digits : {6, 15}) {
+  if (std::trunc(value) == value && std::abs(value) < kLongInteger) {
+    return fmt::format("{:.0f}", value);
+  }
+  for (const int digits : {6, 15, 16}) {
     const std::string text = fmt::format("{:.{}g}", value, digits);
     if (parseDecimal(text) == value) {
       return withYamlExponent(text);

@@ -69,6 +69,8 @@ TEST(YamlValue, NumberTextIsShort) {
   EXPECT_EQ(numberText(0.35), "0.35");
   EXPECT_EQ(numberText(20.0), "20");
   EXPECT_EQ(numberText(1e-6), "1.0e-6");
+  EXPECT_EQ(numberText(1e6), "1000000");
+  EXPECT_EQ(numberText(-0.5), "-0.5");
   EXPECT_EQ(numberText(1e10), "1.0e+10");
   EXPECT_EQ(numberText(-std::numeric_limits<double>::infinity()), "-.inf");
 }
