@@ -98,8 +98,8 @@ TEST_F(HostileBag, FolderIsNoFile) {
 
 TEST_F(HostileBag, TextIsNotABag) {
   EXPECT_THAT(read("FLASER 3 1.0 1.0 1.0 0 0 0 0 0 0 1 host 1\n"),
-              HasSubstr("hostile.bag: this is not a bag that can be read"));
-  EXPECT_THAT(read(""), HasSubstr("hostile.bag: this is not a bag that can be read"));
+              HasSubstr("hostile.bag: this is not a bag"));
+  EXPECT_THAT(read(""), HasSubstr("hostile.bag: this is not a bag"));
 }
 
 TEST_F(HostileBag, BagWithoutIndexSaysHowToMendIt) {
@@ -109,6 +109,12 @@ TEST_F(HostileBag, BagWithoutIndexSaysHowToMendIt) {
   bytes.replace(bytes.find(field) + field.size(), 8, 8, '\0');
   EXPECT_THAT(read(bytes), HasSubstr("the bag has no index, as one whose recording was cut short; "
                                      "`rosbag reindex` makes a new one."));
+}
+
+TEST_F(HostileBag, BagCutShortSaysHowToMendIt) {
+  const std::string bytes = goodBag();
+  EXPECT_THAT(read(bytes.substr(0, bytes.size() / 2)),
+              HasSubstr("`rosbag reindex` may save what is left."));
 }
 
 TEST_F(HostileBag, BagCutShortAnywhereIsRefused) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "nodes/common/tf_lookup.h"
@@ -132,6 +133,14 @@ std::vector<std::string> chooseTf(const rosbag::Bag& bag) {
   return names;
 }
 
+/// Bags of all versions begin with the same letters.
+bool startsLikeABag(const std::string& path) {
+  const std::string magic = "#ROSBAG";
+  std::string start(magic.size(), ' ');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(&start[0], static_cast<std::streamsize>(start.size())) && start == magic;
+}
+
 }  // namespace
 
 void openBag(rosbag::Bag& bag, const std::string& path) {
@@ -146,7 +155,12 @@ void openBag(rosbag::Bag& bag, const std::string& path) {
                    ": the bag has no index, as one whose recording was cut short; `rosbag "
                    "reindex` makes a new one.");
   } catch (const std::exception& error) {
-    throw BagError(fmt::format("{}: this is not a bag that can be read: {}.", path, error.what()));
+    if (!startsLikeABag(path)) {
+      throw BagError(fmt::format("{}: this is not a bag ({}).", path, error.what()));
+    }
+    throw BagError(fmt::format(
+        "{}: the bag is damaged or cut short ({}); `rosbag reindex` may save what is left.", path,
+        error.what()));
   }
 }
 
