@@ -11,6 +11,7 @@
 #include <pcl/registration/transformation_estimation_2D.h>
 
 #include <cmath>
+#include <optional>
 
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/matching/match_quality.h"
@@ -28,6 +29,7 @@ using Icp = pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>;
 /// PCL's step that ends the search [m^2 of squared translation]; well below what a laser resolves.
 constexpr double kSmallestStep = 1e-8;
 constexpr int kRefinements = 10;
+constexpr double kTie = 0.1;  // confidences that differ by less say nothing
 
 Cloud::Ptr toCloud(const Points& points) {
   auto cloud = Cloud::Ptr(new Cloud);
@@ -58,6 +60,41 @@ MatchResult refusal(const Pose2& guess, MatchFailure failure) {
   return result;
 }
 
+struct Alignment {
+  Pose2 T_reference_scan;
+  bool converged;  // before the iterations ran out
+};
+
+/// PCL's ICP, point to point. The wide pass finds the way from a poor guess; the narrow one leaves
+/// out what only one scan has seen. None where the scans do not overlap.
+std::optional<Alignment> alignPoints(const Points& reference, const Points& scan,
+                                     const Pose2& guess, const IcpMatcherConfig& config) {
+  Icp icp;
+  // Planar: the general estimate may tip a flat cloud out of its plane.
+  icp.setTransformationEstimation(Icp::TransformationEstimationPtr(
+      new pcl::registration::TransformationEstimation2D<pcl::PointXYZ, pcl::PointXYZ>));
+  icp.setInputTarget(toCloud(reference));
+  icp.setInputSource(toCloud(scan));
+  icp.setMaximumIterations(config.max_iterations);
+  icp.setTransformationEpsilon(kSmallestStep);
+
+  Cloud aligned;
+  Alignment alignment{guess, false};
+  for (const double reach : {config.max_correspondence_distance, config.outlier_distance}) {
+    icp.setMaxCorrespondenceDistance(reach);
+    icp.align(aligned, toMatrix(alignment.T_reference_scan));
+    const Pose2 found = toPose(icp.getFinalTransformation());
+    if (!icp.hasConverged() || !found.isFinite()) {
+      return std::nullopt;
+    }
+    alignment = {
+        found,
+        icp.getConvergeCriteria()->getConvergenceState() !=
+            pcl::registration::DefaultConvergenceCriteria<float>::CONVERGENCE_CRITERIA_ITERATIONS};
+  }
+  return alignment;
+}
+
 }  // namespace
 
 std::vector<std::string> IcpMatcherConfig::validate() const {
@@ -84,39 +121,27 @@ MatchResult IcpMatcher::match(const Points& reference, const Points& scan,
   if (scan.size() < enough || reference.size() < enough || !guess.isFinite()) {
     return refusal(guess.isFinite() ? guess : Pose2{}, MatchFailure::kTooFewReturns);
   }
-  Icp icp;
-  // Planar: the general estimate may tip a flat cloud out of its plane.
-  icp.setTransformationEstimation(Icp::TransformationEstimationPtr(
-      new pcl::registration::TransformationEstimation2D<pcl::PointXYZ, pcl::PointXYZ>));
-  icp.setInputTarget(toCloud(reference));
-  icp.setInputSource(toCloud(scan));
-  icp.setMaximumIterations(config_.max_iterations);
-  icp.setTransformationEpsilon(kSmallestStep);
-
-  Cloud aligned;
-  Pose2 T_reference_scan = guess;
-  bool converged = false;
-  // The wide pass finds the way from a poor guess; the narrow one leaves out what only one scan has
-  // seen.
-  for (const double reach : {config_.max_correspondence_distance, config_.outlier_distance}) {
-    icp.setMaxCorrespondenceDistance(reach);
-    icp.align(aligned, toMatrix(T_reference_scan));
-    const Pose2 found = toPose(icp.getFinalTransformation());
-    if (!icp.hasConverged() || !found.isFinite()) {
-      return refusal(guess, MatchFailure::kNoOverlap);
-    }
-    T_reference_scan = found;
-    converged =
-        icp.getConvergeCriteria()->getConvergenceState() !=
-        pcl::registration::DefaultConvergenceCriteria<float>::CONVERGENCE_CRITERIA_ITERATIONS;
+  const auto aligned = alignPoints(reference, scan, guess, config_);
+  if (!aligned) {
+    return refusal(guess, MatchFailure::kNoOverlap);
   }
   SurfaceModel model(reference);
-  T_reference_scan = refinePointToLine(
-      model, scan, T_reference_scan, {kRefinements, config_.outlier_distance, config_.range_noise});
-  MatchResult result =
-      judgeMatch(model, scan, T_reference_scan, {config_.outlier_distance, config_.range_noise});
-  result.converged = converged;
-  if (!converged && result.failure == MatchFailure::kNone) {
+  const auto finish = [&](const Pose2& start) {
+    const Pose2 refined = refinePointToLine(
+        model, scan, start, {kRefinements, config_.outlier_distance, config_.range_noise});
+    return judgeMatch(model, scan, refined, {config_.outlier_distance, config_.range_noise});
+  };
+  MatchResult result = finish(aligned->T_reference_scan);
+  result.converged = aligned->converged;
+  // In a corridor the points of the walls pull the scan along it to where most of them overlap,
+  // with nothing to hold it; steps from the guess itself leave it there. The guess wins unless the
+  // points know better.
+  MatchResult from_guess = finish(guess);
+  from_guess.converged = true;
+  if (from_guess.confidence + kTie >= result.confidence) {
+    result = from_guess;
+  }
+  if (!result.converged && result.failure == MatchFailure::kNone) {
     result.failure = MatchFailure::kNotConverged;
   }
   return result;

@@ -18,6 +18,8 @@ std::vector<std::string> LoopCloserConfig::validate() const {
   violations.requireAtLeast("max_candidates", max_candidates, 0);
   violations.requireAtLeast("neighbours", neighbours, 0);
   violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
+  violations.requireWithin("window/translation", window.translation, 0.0, 10.0);
+  violations.requireWithin("window/rotation", window.rotation, 0.0, 3.15);
   violations.include("icp", icp.validate());
   return violations.sentences();
 }
@@ -37,9 +39,13 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const std::vector<Pose2>& 
   }
   const matching::Points scan = keyframes_[id]->sweep.returns();
   for (const NodeId candidate : candidates(id, poses)) {
-    const auto match = matcher_.match(surroundings(candidate, poses), scan,
-                                      relativePose(poses[candidate], poses[id]));
-    if (match.confidence >= config_.min_confidence) {
+    const matching::Points reference = surroundings(candidate, poses);
+    const Pose2 believed = relativePose(poses[candidate], poses[id]);
+    const auto match = matcher_.match(
+        reference, scan, matching::searchCoarsely(reference, scan, believed, config_.window));
+    // A place that leaves a direction open could be any other one along it.
+    if (match.confidence >= config_.min_confidence &&
+        match.failure != matching::MatchFailure::kDegenerate) {
       loops.push_back(matchConstraint(candidate, id, match, graph::ConstraintKind::kLoop));
     }
   }

@@ -5,6 +5,7 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/matching/coarse_search.h"
 #include "omega_slam/matching/icp_matcher.h"
 #include "omega_slam/slam/keyframe.h"
 
@@ -15,7 +16,8 @@ struct LoopCloserConfig {
   int min_separation{20};     ///< keyframes between a candidate and the newest
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
-  double min_confidence{0.8};  ///< [0, 1]
+  double min_confidence{0.8};     ///< [0, 1]
+  matching::SearchWindow window;  ///< around where the graph believes the keyframe to be
   matching::IcpMatcherConfig icp;
 
   [[nodiscard]] std::vector<std::string> validate() const;
