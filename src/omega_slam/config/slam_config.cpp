@@ -62,6 +62,9 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.read("max_candidates", config.max_candidates, kCount);
   reader.read("neighbours", config.neighbours, kCount);
   reader.read("min_confidence", config.min_confidence, kShare);
+  ParameterReader window = reader.group("window");
+  window.read("translation", config.window.translation, {0.0, 10.0});
+  window.read("rotation", config.window.rotation, {0.0, 3.15});
   read(reader.group("icp"), config.icp);
   reader.faults(config.validate());
 }

@@ -17,8 +17,8 @@ constexpr double kTurn = 0.03;  // [rad] step of the search: 0.1 m at 3 m
 constexpr std::size_t kMostPoints = 100;
 constexpr double kFarthest = 30.0;  // [m] reference points farther from its origin are left out
 // Share of points that a pose must gain for each metre or radian that it lies away from the guess.
-constexpr double kPriorPerMetre = 0.05;
-constexpr double kPriorPerRadian = 0.1;
+constexpr double kPriorPerMetre = 0.15;
+constexpr double kPriorPerRadian = 0.3;
 
 /// Cells that a reference point lies in (weight 2) or beside (weight 1).
 class PointGrid {
