@@ -46,6 +46,18 @@ TEST(RunRecordTest, TheMapBeginsWhereTheRobotTrulyWasAtTheFirstKeyframe) {
   EXPECT_NEAR(T_world_map->theta, kQuarterTurn, 1e-9);
 }
 
+TEST(RunRecordTest, WhereTheTruthComesLateALaterKeyframeTells) {
+  RunRecord record;
+  for (int second = 5; second <= 10; ++second) {
+    record.addTruth(second, Pose2{5.0, 7.0 + second, kQuarterTurn});
+  }
+  record.setGraph(drive().graph(), drive().graphStamps());
+  const auto T_world_map = record.worldFromMap();
+  ASSERT_TRUE(T_world_map);
+  EXPECT_NEAR(T_world_map->x, 5.0, 1e-9);
+  EXPECT_NEAR(T_world_map->y, 8.0, 1e-9);
+}
+
 TEST(RunRecordTest, EveryScanGetsAPose) {
   const auto estimate = drive().estimate();
   ASSERT_EQ(estimate.size(), 11U);

@@ -72,9 +72,9 @@ TEST(RunReportTest, WithoutTruthItMakesNoClaims) {
 TEST(RunReportTest, ItSaysWhereTheMapHadNotCaughtUp) {
   const RunEnding hasty{"interrupted", false, 1.0};
   EXPECT_THAT(makeReport(drive(), hasty, {}, std::nullopt).notes,
-              Contains(HasSubstr("still at work")));
+              Contains(HasSubstr("before it had caught up")));
   EXPECT_THAT(makeReport(drive(), done(), {}, std::nullopt).notes,
-              Not(Contains(HasSubstr("still at work"))));
+              Not(Contains(HasSubstr("before it had caught up"))));
 }
 
 TEST(RunReportTest, RejectedScansAndRefusedInputsAreTold) {

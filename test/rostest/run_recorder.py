@@ -9,6 +9,7 @@ import tempfile
 import time
 import unittest
 
+import roslib.packages
 import rospkg
 import rospy
 import rostest
@@ -23,7 +24,7 @@ PACKAGE = 'omega_slam'
 WORLD = pathlib.Path(rospkg.RosPack().get_path(PACKAGE)) / 'maps' / 'lab.world.yaml'
 RESULTS = {'map.pgm', 'map.yaml', 'map.png', 'trajectory.tum', 'graph.g2o', 'report.md',
            'report.json', 'timing.json'}
-UNSETTLED = 'Graph and map were still at work when they were saved.'
+UNSETTLED = 'The map was saved before it had caught up with the newest scans.'
 SECONDS = 12  # a scan each, a keyframe every fourth of them
 ROSLAUNCH_GRACE = 15.0  # [s] between roslaunch's SIGINT and its SIGTERM
 DRIFT = 1.05  # what the odometry makes of a metre
@@ -146,8 +147,10 @@ class RunRecorderTest(unittest.TestCase):
             rospy.delete_param('run_recorder')
         rospy.set_param('run_recorder', {'results': str(self.results), 'world': str(WORLD),
                                          'status_interval': 0.2, **parameters})
-        self.recorder = subprocess.Popen(['rosrun', PACKAGE, 'run_recorder'], text=True,
-                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        # Not by rosrun: it does not look into folders named build.
+        program = roslib.packages.find_node(PACKAGE, 'run_recorder')[0]
+        self.recorder = subprocess.Popen([program], text=True, stdout=subprocess.PIPE,
+                                         stderr=subprocess.STDOUT)
 
     def finish(self, patience=25.0):
         """@return (exit code, what was printed)"""

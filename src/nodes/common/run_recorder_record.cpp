@@ -72,14 +72,12 @@ geometry::Trajectory RunRecord::truth() const { return sample(truth_, scan_stamp
 geometry::Trajectory RunRecord::odometry() const { return sample(odometry_, scan_stamps_); }
 
 std::optional<geometry::Pose2> RunRecord::worldFromMap() const {
-  if (graph_stamps_.empty()) {
-    return std::nullopt;
+  for (std::size_t node = 0; node < graph_stamps_.size(); ++node) {
+    if (const auto T_world_node = truth_.at(graph_stamps_[node])) {
+      return *T_world_node * graph_.poses[node].inverse();
+    }
   }
-  const auto T_world_first = truth_.at(graph_stamps_.front());
-  if (!T_world_first) {
-    return std::nullopt;
-  }
-  return *T_world_first * graph_.poses.front().inverse();
+  return std::nullopt;
 }
 
 std::optional<double> RunRecord::poseError(const geometry::StampedPose2& T_map_base) const {

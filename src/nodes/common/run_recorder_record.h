@@ -32,7 +32,7 @@ class RunRecord {
   [[nodiscard]] geometry::Trajectory truth() const;
   /// `T_odom_base` at each scan.
   [[nodiscard]] geometry::Trajectory odometry() const;
-  /// `T_world_map`: the ground truth at the first keyframe, where the map's frame begins.
+  /// `T_world_map`, by the ground truth at the first keyframe for which there is any.
   [[nodiscard]] std::optional<geometry::Pose2> worldFromMap() const;
   /// Distance [m] of a tracked pose from the ground truth at its time.
   [[nodiscard]] std::optional<double> poseError(const geometry::StampedPose2& T_map_base) const;

@@ -70,7 +70,7 @@ evaluation::Report makeReport(const RunRecord& record, const RunEnding& ending,
   report.loops = evaluation::loopFigures(record.graph());
   report.notes.push_back("The run ended: " + ending.reason + ".");
   if (!ending.settled) {
-    report.notes.push_back("Graph and map were still at work when they were saved.");
+    report.notes.push_back("The map was saved before it had caught up with the newest scans.");
   }
   if (record.map().cells.empty()) {
     report.notes.push_back("There is no map: none has been received.");
