@@ -9,7 +9,7 @@ import unittest
 import rospy
 from rosgraph_msgs.msg import Clock
 
-from simulator_support import DEADLINE, Recorder, refusal
+from simulator_support import DEADLINE, Recorder, executable, refusal
 
 
 class StartTest(unittest.TestCase):
@@ -73,7 +73,7 @@ class StartTest(unittest.TestCase):
     def test_the_clock_stands_until_subscribers_had_their_chance(self):
         clock = Recorder('other_clock', Clock)
         process = subprocess.Popen(
-            ['rosrun', 'omega_slam', 'simulator', '__name:=simulator_waiting', '__ns:=waiting',
+            [executable('simulator'), '__name:=simulator_waiting', '__ns:=waiting',
              f'_world:={self.world}', '_start_time:=7.5', '_start_delay:=3.0', '/clock:=/other_clock',
              '/tf:=/other_tf'])
         try:

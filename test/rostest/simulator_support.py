@@ -2,6 +2,7 @@
 import subprocess
 import time
 
+import roslib.packages
 import rospy
 
 DEADLINE = 60.0  # [s] of wall time for anything to happen
@@ -33,10 +34,15 @@ def wait_until(condition, what):
         time.sleep(0.005)
 
 
+def executable(node):
+    """Path of a node's program; rosrun does not look into folders named build."""
+    return roslib.packages.find_node('omega_slam', node)[0]
+
+
 def refusal(test, node, name, arguments):
     """What a node says that must not start with these arguments."""
     result = subprocess.run(
-        ['rosrun', 'omega_slam', node, f'__name:={name}', *arguments],
+        [executable(node), f'__name:={name}', *arguments],
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=DEADLINE, check=False,
         universal_newlines=True)
     test.assertEqual(result.returncode, 1, result.stdout)
