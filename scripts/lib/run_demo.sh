@@ -41,13 +41,13 @@ stop() {
   kill -KILL "$process" 2>/dev/null || true
 }
 
-# Waits until the nodes are there; by then roslaunch has set every parameter.
-wait_for_nodes() {
+# wait_for_node NAME PROCESS: until the master knows the node that the process is to bring up.
+wait_for_node() {
   local attempt
-  for ((attempt = 0; attempt < 60; ++attempt)); do
-    alive "$NODES" || return 1
-    if rosnode list 2>/dev/null | grep -qx /simulator; then return 0; fi
-    sleep 0.2 || true
+  for ((attempt = 0; attempt < 150; ++attempt)); do
+    alive "$2" || return 1
+    if rosnode list 2>/dev/null | grep -qx "$1"; then return 0; fi
+    sleep 0.1 || true
   done
   return 1
 }
@@ -59,53 +59,65 @@ show_complaints() {
 }
 
 # Processes of the run; 0 while there is none.
-NODES=0    # roslaunch, which holds the nodes
+MASTER=0
 RECORDER=0 # run_recorder, which shows the status and saves the results
+NODES=0    # roslaunch, which holds all other nodes
 
 stop_run() {
   trap - EXIT INT TERM HUP
-  ((RECORDER == 0)) || stop "$RECORDER" 15
-  ((NODES == 0)) || stop "$NODES" 25
+  local process
+  for process in "$RECORDER" "$NODES" "$MASTER"; do
+    ((process == 0)) || stop "$process" 25
+  done
 }
 
-# run_demo OUT ROSLAUNCH_ARGUMENT...: ends when the run ends; Ctrl-C ends it early.
+# start_master LOG: with time that stands still until there is a simulator.
+start_master() {
+  setsid roscore --port "${ROS_MASTER_URI##*:}" >"$1" 2>&1 </dev/null &
+  MASTER=$!
+  wait_for_node /rosout "$MASTER" && rosparam set /use_sim_time true ||
+    die "The ROS master did not start. What it said is in $1."
+}
+
+# run_demo OUT WORLD DURATION ROSLAUNCH_ARGUMENT...: ends when the run ends; Ctrl-C ends it early.
 #
-# Nodes and recorder have sessions of their own, so that Ctrl-C in the terminal reaches this script
-# alone: it lets the recorder save what the nodes have made before it stops them.
+# The recorder is there before the simulation begins, so that it misses nothing. All processes have
+# sessions of their own, so that Ctrl-C in the terminal reaches this script alone: it lets the
+# recorder save what the nodes have made before it stops them.
 run_demo() {
-  local out=$1 log=$1/log/nodes.log
-  shift
+  local out=$1 log=$1/log/nodes.log world=$2 duration=$3
+  shift 3
   mkdir -p "$out/log"
-  rm -f "$out"/{map.pgm,map.yaml,map.png,trajectory.tum,graph.g2o,report.md,report.json}
+  rm -f "$out"/{map.pgm,map.yaml,map.png,trajectory.tum,graph.g2o,report.md,report.json,timing.json}
   enter_ros "$out"
   trap stop_run EXIT
   trap 'exit 130' INT TERM HUP
-  setsid roslaunch --port "${ROS_MASTER_URI##*:}" omega_slam demo.launch record:=false \
-    results:="$out" "$@" >"$log" 2>&1 </dev/null &
+  start_master "$out/log/master.log"
+  setsid "$DEMO_TREE/devel/lib/omega_slam/run_recorder" \
+    _world:="$world" _results:="$out" _duration:="$duration" </dev/null &
+  RECORDER=$!
+  wait_for_node /run_recorder "$RECORDER" || die 'run_recorder did not start.'
+  setsid roslaunch omega_slam demo.launch record:=false world:="$world" results:="$out" \
+    duration:="$duration" "$@" >"$log" 2>&1 </dev/null &
   NODES=$!
-  if ! wait_for_nodes; then
-    show_complaints "$log"
-    die "The nodes did not start. All that they said is in $log."
-  fi
   watch_run "$log"
   stop_run
 }
 
-# watch_run LOG
+# watch_run LOG: until the recorder has ended.
 watch_run() {
   local code=0
-  setsid "$DEMO_TREE/devel/lib/omega_slam/run_recorder" </dev/null &
-  RECORDER=$!
   trap 'kill -INT "$RECORDER" 2>/dev/null || true' INT TERM HUP
   while alive "$RECORDER" && alive "$NODES"; do sleep 0.3 || true; done
   if alive "$RECORDER"; then
     kill -INT "$RECORDER"
-    say '' 'A node has ended before its time; what there is so far is saved:'
+    say '' 'The nodes have ended before their time; what there is so far is saved:'
     show_complaints "$1"
+    code=1
   fi
   # A signal ends `wait` before the process has ended.
   while alive "$RECORDER"; do wait "$RECORDER" || true; done
   wait "$RECORDER" || code=$?
   RECORDER=0
-  ((code == 0)) || die "The results could not be saved completely. The nodes' log is $1."
+  ((code == 0)) || die "This run has failed. What the nodes said is in $1."
 }
