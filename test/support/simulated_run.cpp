@@ -50,6 +50,7 @@ SimulatedRun driveRoute(const std::string& world, std::uint64_t seed, double noi
   motion::OdometryBuffer truth(2.0);
   odometry.add(robot.time(), {});
   truth.add(robot.time(), robot.truth().T_world_base);
+  run.truth.push_back({robot.time(), robot.truth().T_world_base});
   while (!run.arrived && robot.time() < seconds) {
     (void)robot.command(driver.update(robot.time(), robot.truth().T_world_base));
     const simulation::TurtleBotEvents events = robot.step();

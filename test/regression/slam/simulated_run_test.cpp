@@ -32,7 +32,8 @@ Outcome mapRun(const test::SimulatedRun& run) {
   return outcome;
 }
 
-// Twelve seeds gave LAB_NUMBERS
+/// Twelve seeds gave an error of 0.048 +- 0.023 m, a resemblance of 0.968 +- 0.012 and a coverage
+/// of 0.967 +- 0.004; bounds are four deviations away.
 TEST(SimulatedRun, LabIsMapped) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
@@ -42,13 +43,13 @@ TEST(SimulatedRun, LabIsMapped) {
     const Outcome outcome = mapRun(run);
     RecordProperty("ate_mm", static_cast<int>(1e3 * outcome.error.translation.mean));
     EXPECT_EQ(outcome.error.matched, run.records.size());
-    EXPECT_LT(outcome.error.translation.mean, 0.075);
-    EXPECT_GT(outcome.resemblance.score(), 0.955);
+    EXPECT_LT(outcome.error.translation.mean, 0.14);
+    EXPECT_GT(outcome.resemblance.score(), 0.92);
     EXPECT_GT(outcome.resemblance.coverage(), 0.95);
   }
 }
 
-/// The first loop of the office's corridors, with odometry twice as bad as a Kobuki's.
+/// Two minutes of the lab with odometry twice as bad as a Kobuki's.
 TEST(SimulatedRun, BadOdometryIsMended) {
   const test::SimulatedRun run = test::driveRoute("lab", 1, 2.0, 120.0);
   geometry::Trajectory odometry;
