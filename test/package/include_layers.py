@@ -21,6 +21,7 @@ LIBRARY = {
     'navigation': {'geometry', 'motion', 'grid'},
     'simulation': {'geometry', 'sensing', 'motion', 'grid'},
     'evaluation': {'geometry', 'sensing', 'grid', 'graph'},
+    'results': {'geometry', 'grid', 'graph', 'evaluation', 'io'},
     'io': {'geometry', 'sensing', 'grid', 'graph'},
 }
 LIBRARY['config'] = set(LIBRARY)
