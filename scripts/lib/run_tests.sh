@@ -5,6 +5,7 @@ SKIPPED=0
 FAILURES=()       # names of failed tests, or what else went wrong
 RERUN_COMMANDS=() # how to run each again; empty where there is no such command
 MAX_LINES_SHOWN=40
+TEST_RESULT='^ *([0-9]+)/([0-9]+) Test +#[0-9]+: (.*[^ ]) \.{3,}[^.*]*(\*{3}|  +)([A-Z].*) +[0-9.]+ sec'
 
 add_failure() {
   FAILURES+=("$1")
@@ -33,15 +34,18 @@ count_result() {
 }
 
 # Reads ctest's output: counts, shows progress, and what failed tests had to say.
-# A result reads "12/345 Test #6: level/module/Suite.Case ....   Passed    0.01 sec".
+# A result reads "12/345 Test #6: level/module/Suite.Case ....   Passed    0.01 sec", and of a crash
+# "... ....Subprocess aborted***Exception:   0.01 sec".
 watch_tests() {
-  local tree=$1 log=$2 name line lines_left=0
+  local tree=$1 log=$2 name line lines_left=0 done=0 total=0
   name=$(basename "$tree")
   while IFS= read -r line; do
     printf '%s\n' "$line" >>"$log"
-    if [[ $line =~ ^\ *([0-9]+)/([0-9]+)\ Test\ +#[0-9]+:\ (.*[^ .])\ ?\.*(\*\*\*|\ +)([A-Z].*)\ +[0-9.]+\ sec ]]; then
+    if [[ $line =~ $TEST_RESULT ]]; then
       lines_left=0
-      show_progress "test $name" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" "${BASH_REMATCH[3]}"
+      done=$((done + 1))
+      total=${BASH_REMATCH[2]}
+      show_progress "test $name" "$done" "$total" "${BASH_REMATCH[3]}"
       count_result "$tree" "${BASH_REMATCH[3]}" "${BASH_REMATCH[5]}" || lines_left=$MAX_LINES_SHOWN
     elif [[ $line =~ ^\ +Start\ +[0-9]+:\  || $line =~ ^[0-9]+%\ tests\ passed ]]; then
       lines_left=0
@@ -52,6 +56,10 @@ watch_tests() {
   done < <(cd "$tree" && ctest --output-on-failure --timeout 300 -j "$jobs" -R "${filter:-.}" 2>&1 ||
     true)
   finish_progress
+  # Silence is no success: ctest may have ended early, or found nothing to run.
+  if ((done < total)) || [[ $total == 0 && -z $filter ]]; then
+    add_failure "ctest in $tree, which ran $done of $total tests"
+  fi
 }
 
 # test_stage TREE JOBS FILTER CMAKE_ARGUMENT...: what fails is remembered, not thrown.
