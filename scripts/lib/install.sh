@@ -21,7 +21,7 @@ as_root() {
   fi
 }
 
-# Turns apt-get's status lines into a progress line and copies the rest to the log.
+# Turns apt-get's status lines into a progress line.
 # A status line reads <dlstatus|pmstatus>:<package>:<percent>:<what it does>.
 watch_apt() {
   local line
@@ -30,16 +30,17 @@ watch_apt() {
       local step='download'
       [[ ${BASH_REMATCH[1]} == pm ]] && step='install'
       show_progress "$step" "${BASH_REMATCH[3]}" 100 "${BASH_REMATCH[4]}"
-    else
-      printf '%s\n' "$line" >>"$LOG_DIR/apt.log"
     fi
   done
   finish_progress
 }
 
+# The status lines have a pipe of their own, made behind sudo, which passes on no descriptors. apt-get
+# makes it non-blocking: packages that shared it would fail to install whenever it is full.
 run_apt() {
-  as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get -y -q \
-    -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=600 "$@" 2>&1 | watch_apt
+  as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
+    bash -c 'log=$1 && shift && exec apt-get "$@" 3>&1 >>"$log" 2>&1' apt-get "$LOG_DIR/apt.log" \
+    -y -q -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=600 "$@" | watch_apt
 }
 
 apt_failed() {
