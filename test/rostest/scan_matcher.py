@@ -289,8 +289,8 @@ class ScanMatcherTest(NodeTest):
         self.checkBadParameters(NAME, [
             ({'keyframe_translatoin': 0.3}, ['scan_matcher/keyframe_translatoin',
                                              'keyframe_translation']),
-            ({'loops': {'icp': {'max_iteration': 3}}}, ['loops/icp/max_iteration',
-                                                        'max_iterations']),
+            ({'loops': {'window': {'translatoin': 3}}}, ['loops/window/translatoin', 'translation']),
+            ({'matcher': 'ipc'}, ['scan_matcher/matcher', 'icp']),
             ({'min_confidence': '0.5'}, ['scan_matcher/min_confidence']),
             ({'laser_pose': [1.0]}, ['laser_pose']),
             ({'odometry_wait': -1.0}, ['odometry_wait']),

@@ -47,13 +47,24 @@ void read(ParameterReader reader, sensing::ScanIntakeConfig& config) {
   reader.faults(config.validate());
 }
 
-/// Its faults are found by the validate() of what it belongs to.
+// The faults of these are found by the validate() of what they belong to.
+
+void read(ParameterReader reader, matching::MatchConfig& config) {
+  reader.read("min_returns", config.min_returns, {3.0, 10000.0});
+  reader.read("outlier_distance", config.outlier_distance, kPositiveLength);
+  reader.read("range_noise", config.range_noise, {0.0001, 10.0});
+}
+
 void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
   reader.read("max_iterations", config.max_iterations, kPositiveCount);
   reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
-  reader.read("outlier_distance", config.outlier_distance, kPositiveLength);
-  reader.read("min_returns", config.min_returns, {3.0, 10000.0});
-  reader.read("range_noise", config.range_noise, {0.0001, 10.0});
+}
+
+/// Among the keys of the node itself: which matcher, and a group for each.
+void read(ParameterReader& reader, matching::MatcherConfig& config) {
+  reader.read("matcher", config.matcher, matching::matcherNames());
+  read(reader.group("match"), config.match);
+  read(reader.group("icp"), config.icp);
 }
 
 void read(ParameterReader reader, slam::LoopCloserConfig& config) {
@@ -65,7 +76,6 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   ParameterReader window = reader.group("window");
   window.read("translation", config.window.translation, {0.0, 10.0});
   window.read("rotation", config.window.rotation, {0.0, 3.15});
-  read(reader.group("icp"), config.icp);
   reader.faults(config.validate());
 }
 
@@ -98,8 +108,9 @@ void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
   reader.read("keyframe_time", front_end.keyframe_time, kDuration);
   reader.read("local_keyframes", front_end.local_keyframes, kPositiveCount);
   reader.read("min_confidence", front_end.min_confidence, kShare);
-  read(reader.group("icp"), front_end.icp);
+  read(reader, front_end.matching);
   reader.faults(front_end.validate());
+  config.loops.match = front_end.matching.match;  // it is of the laser, not of the use
   read(reader.group("loops"), config.loops);
 }
 

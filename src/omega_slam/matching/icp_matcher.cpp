@@ -53,13 +53,6 @@ Pose2 toPose(const Eigen::Matrix4f& matrix) {
   return {m(0, 3), m(1, 3), std::atan2(m(1, 0), m(0, 0))};
 }
 
-MatchResult refusal(const Pose2& guess, MatchFailure failure) {
-  MatchResult result;
-  result.T_reference_scan = guess;
-  result.failure = failure;
-  return result;
-}
-
 struct Alignment {
   Pose2 T_reference_scan;
   bool converged;  // before the iterations ran out
@@ -68,7 +61,8 @@ struct Alignment {
 /// PCL's ICP, point to point. The wide pass finds the way from a poor guess; the narrow one leaves
 /// out what only one scan has seen. None where the scans do not overlap.
 std::optional<Alignment> alignPoints(const Points& reference, const Points& scan,
-                                     const Pose2& guess, const IcpMatcherConfig& config) {
+                                     const Pose2& guess, const IcpMatcherConfig& config,
+                                     double outlier_distance) {
   Icp icp;
   // Planar: the general estimate may tip a flat cloud out of its plane.
   icp.setTransformationEstimation(Icp::TransformationEstimationPtr(
@@ -80,7 +74,7 @@ std::optional<Alignment> alignPoints(const Points& reference, const Points& scan
 
   Cloud aligned;
   Alignment alignment{guess, false};
-  for (const double reach : {config.max_correspondence_distance, config.outlier_distance}) {
+  for (const double reach : {config.max_correspondence_distance, outlier_distance}) {
     icp.setMaxCorrespondenceDistance(reach);
     icp.align(aligned, toMatrix(alignment.T_reference_scan));
     const Pose2 found = toPose(icp.getFinalTransformation());
@@ -100,36 +94,34 @@ std::optional<Alignment> alignPoints(const Points& reference, const Points& scan
 std::vector<std::string> IcpMatcherConfig::validate() const {
   geometry::Violations violations;
   violations.requireAtLeast("max_iterations", max_iterations, 1);
-  violations.requireAbove("outlier_distance", outlier_distance, 0.0);
-  violations.requireAtLeast("max_correspondence_distance", max_correspondence_distance,
-                            outlier_distance);
-  violations.requireAtLeast("min_returns", min_returns, 3);
-  violations.requireAbove("range_noise", range_noise, 0.0);
+  violations.requireAbove("max_correspondence_distance", max_correspondence_distance, 0.0);
   return violations.sentences();
 }
 
-IcpMatcher::IcpMatcher(const IcpMatcherConfig& config) : config_(config) {
+IcpMatcher::IcpMatcher(const IcpMatcherConfig& config, const MatchConfig& common)
+    : config_(config), common_(common) {
   geometry::throwIfAny(config_.validate());
+  geometry::throwIfAny(common_.validate());
   // PCL prints to stderr when two scans do not overlap; here that is an answer, which the caller
   // gets.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
 }
 
-MatchResult IcpMatcher::match(const Points& reference, const Points& scan,
+MatchResult IcpMatcher::match(const Reference& reference, const View& scan,
                               const Pose2& guess) const {
-  const auto enough = static_cast<std::size_t>(config_.min_returns);
-  if (scan.size() < enough || reference.size() < enough || !guess.isFinite()) {
-    return refusal(guess.isFinite() ? guess : Pose2{}, MatchFailure::kTooFewReturns);
+  if (auto refused = refuseHopeless(reference, scan, guess, common_)) {
+    return *refused;
   }
-  const auto aligned = alignPoints(reference, scan, guess, config_);
+  const Points points = allPoints(reference);
+  const auto aligned = alignPoints(points, scan.points, guess, config_, common_.outlier_distance);
   if (!aligned) {
     return refusal(guess, MatchFailure::kNoOverlap);
   }
-  SurfaceModel model(reference);
+  SurfaceModel model(points);
   const auto finish = [&](const Pose2& start) {
     const Pose2 refined = refinePointToLine(
-        model, scan, start, {kRefinements, config_.outlier_distance, config_.range_noise});
-    return judgeMatch(model, scan, refined, {config_.outlier_distance, config_.range_noise});
+        model, scan.points, start, {kRefinements, common_.outlier_distance, common_.range_noise});
+    return judgeMatch(model, scan.points, refined, common_);
   };
   MatchResult result = finish(aligned->T_reference_scan);
   result.converged = aligned->converged;

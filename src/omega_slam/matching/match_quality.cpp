@@ -78,7 +78,7 @@ Eigen::Matrix3d covarianceOf(const Evidence& evidence, double deviation) {
 }  // namespace
 
 MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
-                       const MatchQualityConfig& config) {
+                       const MatchConfig& config) {
   MatchResult result;
   result.T_reference_scan = T_reference_scan;
   const Evidence evidence =
@@ -98,6 +98,8 @@ MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2&
   axes.computeDirect(result.covariance.topLeftCorner<2, 2>());
   if (std::sqrt(axes.eigenvalues()[1]) > kDegenerateDeviation) {
     result.failure = MatchFailure::kDegenerate;
+    const Eigen::Vector2d open = axes.eigenvectors().col(1);
+    result.open_direction = Eigen::Vector3d(open.x(), open.y(), 0.0);
   }
   return result;
 }

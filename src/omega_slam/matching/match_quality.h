@@ -6,11 +6,6 @@
 
 namespace omega_slam::matching {
 
-struct MatchQualityConfig {
-  double outlier_distance{0.1};  ///< [m] farther partners are none
-  double range_noise{0.02};      ///< [m] standard deviation of a range
-};
-
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the
@@ -23,10 +18,10 @@ struct MatchQualityConfig {
 ///
 /// Confidence is overlap * (1 - (residual / outlier_distance)^2).
 ///
-/// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate
-/// where that holds.
+/// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate,
+/// and names the open direction, where that holds.
 [[nodiscard]] MatchResult judgeMatch(SurfaceModel& reference, const Points& scan,
                                      const geometry::Pose2& T_reference_scan,
-                                     const MatchQualityConfig& config);
+                                     const MatchConfig& config);
 
 }  // namespace omega_slam::matching

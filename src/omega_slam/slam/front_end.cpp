@@ -48,19 +48,23 @@ std::vector<std::string> FrontEndConfig::validate() const {
   violations.requireAtLeast("keyframe_time", keyframe_time, 0.0);
   violations.requireAtLeast("local_keyframes", local_keyframes, 1);
   violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
-  violations.include("icp", icp.validate());
-  return violations.sentences();
+  std::vector<std::string> sentences = violations.sentences();
+  for (const std::string& sentence : matching.validate()) {
+    sentences.push_back(sentence);
+  }
+  return sentences;
 }
 
-FrontEnd::FrontEnd(const FrontEndConfig& config) : config_(config), matcher_(config.icp) {
+FrontEnd::FrontEnd(const FrontEndConfig& config) : config_(config) {
   geometry::throwIfAny(config_.validate());
+  matcher_ = matching::makeMatcher(config_.matching);
 }
 
 FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
                                  const motion::Prediction& prediction) {
   FrontEndResult result;
   LocalKeyframe fresh;
-  fresh.returns = sweep.returns();
+  fresh.view = viewOf(sweep);
   if (!local_.empty()) {
     const Keyframe& last = *local_.back().keyframe;
     const Pose2 motion = relativePose(last.T_odom_base, prediction.T_odom_base);
@@ -89,8 +93,8 @@ void FrontEnd::tieToNewest(LocalKeyframe& fresh, const motion::Prediction& predi
   const LocalKeyframe& last = local_.back();
   result.constraints.push_back(
       odometryConstraint(*last.keyframe, *fresh.keyframe, prediction.covariance));
-  result.match = matcher_.match(localPoints(), fresh.returns,
-                                relativePose(last.T_local_base, fresh.T_local_base));
+  result.match = matcher_->match(surroundings(), fresh.view,
+                                 relativePose(last.T_local_base, fresh.T_local_base));
   result.match_trusted = result.match->confidence >= config_.min_confidence;
   if (!result.match_trusted) {
     return;
@@ -108,15 +112,13 @@ bool FrontEnd::isKeyframeDue(const Pose2& motion, double seconds) const {
          (config_.keyframe_time > 0.0 && seconds >= config_.keyframe_time);
 }
 
-matching::Points FrontEnd::localPoints() const {
-  matching::Points points;
+matching::Reference FrontEnd::surroundings() const {
+  matching::Reference reference;
   for (const LocalKeyframe& local : local_) {
     const Pose2 T_newest_local = relativePose(local_.back().T_local_base, local.T_local_base);
-    for (const Eigen::Vector2d& p : local.returns) {
-      points.push_back(T_newest_local * p);
-    }
+    reference.push_back(matching::transformed(T_newest_local, local.view));
   }
-  return points;
+  return reference;
 }
 
 }  // namespace omega_slam::slam

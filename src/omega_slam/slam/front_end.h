@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "omega_slam/graph/pose_graph.h"
-#include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/matcher_factory.h"
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
 
@@ -20,7 +20,7 @@ struct FrontEndConfig {
   double keyframe_time{10.0};        ///< [s] or waiting; 0: never by time alone
   int local_keyframes{6};            ///< the newest keyframes whose points a scan is matched with
   double min_confidence{0.5};        ///< [0, 1] matches below leave the odometry alone
-  matching::IcpMatcherConfig icp;
+  matching::MatcherConfig matching;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -50,18 +50,18 @@ class FrontEnd {
   struct LocalKeyframe {
     KeyframePtr keyframe;
     geometry::Pose2 T_local_base;  ///< in a local frame that drifts, but slowly
-    std::vector<Eigen::Vector2d> returns;
+    matching::View view;           ///< from the base
   };
   /// Constraints from the newest keyframe to a fresh one; the match, where trusted, moves the fresh
   /// one.
   void tieToNewest(LocalKeyframe& fresh, const motion::Prediction& prediction,
                    FrontEndResult& result) const;
   [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
-  /// Returns of the local keyframes, in the frame of the newest.
-  [[nodiscard]] matching::Points localPoints() const;
+  /// What the local keyframes saw, in the frame of the newest.
+  [[nodiscard]] matching::Reference surroundings() const;
 
   FrontEndConfig config_;
-  matching::IcpMatcher matcher_;
+  std::unique_ptr<const matching::ScanMatcher> matcher_;
   std::deque<LocalKeyframe> local_;
   graph::NodeId next_id_{0};
 };

@@ -6,6 +6,10 @@
 
 namespace omega_slam::slam {
 
+matching::View viewOf(const sensing::Sweep& sweep) {
+  return {sweep.returns(), sweep.T_base_laser.translation()};
+}
+
 graph::Constraint matchConstraint(graph::NodeId from, graph::NodeId to,
                                   const matching::MatchResult& match, graph::ConstraintKind kind) {
   graph::Constraint constraint;

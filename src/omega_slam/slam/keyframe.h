@@ -16,6 +16,9 @@ struct Keyframe {
   sensing::Sweep sweep;
 };
 
+/// What a sweep saw, in the frame of the robot's base.
+[[nodiscard]] matching::View viewOf(const sensing::Sweep& sweep);
+
 /// A scan match between two keyframes as a constraint of the graph.
 [[nodiscard]] graph::Constraint matchConstraint(graph::NodeId from, graph::NodeId to,
                                                 const matching::MatchResult& match,

@@ -20,11 +20,12 @@ std::vector<std::string> LoopCloserConfig::validate() const {
   violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
   violations.requireWithin("window/translation", window.translation, 0.0, 10.0);
   violations.requireWithin("window/rotation", window.rotation, 0.0, 3.15);
-  violations.include("icp", icp.validate());
+  violations.include("match", match.validate());
   return violations.sentences();
 }
 
-LoopCloser::LoopCloser(const LoopCloserConfig& config) : config_(config), matcher_(config.icp) {
+LoopCloser::LoopCloser(const LoopCloserConfig& config)
+    : config_(config), matcher_({}, config.match) {
   geometry::throwIfAny(config_.validate());
 }
 
@@ -37,12 +38,14 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const std::vector<Pose2>& 
   if (id >= keyframes_.size() || id >= poses.size()) {
     return loops;
   }
-  const matching::Points scan = keyframes_[id]->sweep.returns();
+  const matching::View scan = viewOf(keyframes_[id]->sweep);
   for (const NodeId candidate : candidates(id, poses)) {
-    const matching::Points reference = surroundings(candidate, poses);
+    const matching::Reference reference = surroundings(candidate, poses);
     const Pose2 believed = relativePose(poses[candidate], poses[id]);
-    const auto match = matcher_.match(
-        reference, scan, matching::searchCoarsely(reference, scan, believed, config_.window));
+    const auto match =
+        matcher_.match(reference, scan,
+                       matching::searchCoarsely(matching::allPoints(reference), scan.points,
+                                                believed, config_.window));
     // A place that leaves a direction open could be any other one along it.
     if (match.confidence >= config_.min_confidence &&
         match.failure != matching::MatchFailure::kDegenerate) {
@@ -77,18 +80,16 @@ std::vector<NodeId> LoopCloser::candidates(NodeId id, const std::vector<Pose2>& 
   return chosen;
 }
 
-matching::Points LoopCloser::surroundings(NodeId center, const std::vector<Pose2>& poses) const {
+matching::Reference LoopCloser::surroundings(NodeId center, const std::vector<Pose2>& poses) const {
   const auto reach = static_cast<NodeId>(config_.neighbours);
   const NodeId first = center > reach ? center - reach : 0;
   const auto last = std::min<NodeId>(center + reach, static_cast<NodeId>(keyframes_.size() - 1));
-  matching::Points points;
+  matching::Reference reference;
   for (NodeId id = first; id <= last; ++id) {
     const Pose2 T_center_id = relativePose(poses[center], poses[id]);
-    for (const Eigen::Vector2d& p : keyframes_[id]->sweep.returns()) {
-      points.push_back(T_center_id * p);
-    }
+    reference.push_back(matching::transformed(T_center_id, viewOf(keyframes_[id]->sweep)));
   }
-  return points;
+  return reference;
 }
 
 }  // namespace omega_slam::slam

@@ -18,7 +18,7 @@ struct LoopCloserConfig {
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
   double min_confidence{0.8};     ///< [0, 1]
   matching::SearchWindow window;  ///< around where the graph believes the keyframe to be
-  matching::IcpMatcherConfig icp;
+  matching::MatchConfig match;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -44,9 +44,9 @@ class LoopCloser {
   /// Earlier keyframes worth a match with `id`, nearest first.
   [[nodiscard]] std::vector<graph::NodeId> candidates(
       graph::NodeId id, const std::vector<geometry::Pose2>& poses) const;
-  /// Returns of a keyframe and its neighbours in time, in its frame.
-  [[nodiscard]] matching::Points surroundings(graph::NodeId center,
-                                              const std::vector<geometry::Pose2>& poses) const;
+  /// What a keyframe and its neighbours in time saw, in its frame.
+  [[nodiscard]] matching::Reference surroundings(graph::NodeId center,
+                                                 const std::vector<geometry::Pose2>& poses) const;
 
   LoopCloserConfig config_;
   matching::IcpMatcher matcher_;

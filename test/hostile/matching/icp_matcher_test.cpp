@@ -27,18 +27,18 @@ TEST(IcpMatcherHostile, TooFewReturnsAreRefused) {
   const IcpMatcher matcher;
   const Points room = roomSeenFrom({});
   for (const Points& few : {Points{}, Points{{1.0, 0.0}}, Points(29, {1.0, 1.0})}) {
-    const auto as_scan = matcher.match(room, few, {0.1, 0.2, 0.3});
+    const auto as_scan = matcher.match({{room}}, {few}, {0.1, 0.2, 0.3});
     EXPECT_EQ(as_scan.failure, MatchFailure::kTooFewReturns);
     EXPECT_EQ(as_scan.T_reference_scan.x, 0.1) << "the guess stands";
     EXPECT_EQ(as_scan.confidence, 0.0);
     expectFinite(as_scan);
-    EXPECT_EQ(matcher.match(few, room, {}).failure, MatchFailure::kTooFewReturns);
+    EXPECT_EQ(matcher.match({{few}}, {room}, {}).failure, MatchFailure::kTooFewReturns);
   }
 }
 
 TEST(IcpMatcherHostile, ScansThatDoNotOverlapAreRefused) {
   const Points room = roomSeenFrom({});
-  const auto result = IcpMatcher().match(room, room, {50.0, 0.0, 0.0});
+  const auto result = IcpMatcher().match({{room}}, {room}, {50.0, 0.0, 0.0});
   EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
   EXPECT_EQ(result.confidence, 0.0);
   expectFinite(result);
@@ -46,28 +46,33 @@ TEST(IcpMatcherHostile, ScansThatDoNotOverlapAreRefused) {
 
 TEST(IcpMatcherHostile, AllPointsInOnePlace) {
   const Points heap(100, {1.0, 1.0});
-  expectFinite(IcpMatcher().match(heap, heap, {}));
-  expectFinite(IcpMatcher().match(roomSeenFrom({}), heap, {}));
+  expectFinite(IcpMatcher().match({{heap}}, {heap}, {}));
+  expectFinite(IcpMatcher().match({{roomSeenFrom({})}}, {heap}, {}));
 }
 
 TEST(IcpMatcherHostile, GuessThatIsNotFinite) {
   const Points room = roomSeenFrom({});
-  expectFinite(IcpMatcher().match(room, room, {std::nan(""), 0.0, 0.0}));
+  expectFinite(IcpMatcher().match({{room}}, {room}, {std::nan(""), 0.0, 0.0}));
 }
 
 TEST(IcpMatcherHostile, OneIterationStillAnswers) {
   IcpMatcherConfig config;
   config.max_iterations = 1;
-  expectFinite(IcpMatcher(config).match(roomSeenFrom({}), roomSeenFrom({0.3, 0.2, 0.3}), {}));
+  expectFinite(IcpMatcher(config).match({{roomSeenFrom({})}}, {roomSeenFrom({0.3, 0.2, 0.3})}, {}));
 }
 
 TEST(IcpMatcherHostile, SenselessConfigurationThrows) {
   IcpMatcherConfig config;
   config.max_iterations = 0;
-  config.outlier_distance = 1.0;  // above max_correspondence_distance
-  config.range_noise = 0.0;
-  EXPECT_EQ(config.validate().size(), 3U);
+  config.max_correspondence_distance = 0.0;
+  EXPECT_EQ(config.validate().size(), 2U);
   EXPECT_THROW(IcpMatcher{config}, std::invalid_argument);
+  MatchConfig common;
+  common.min_returns = 2;
+  common.outlier_distance = -1.0;
+  common.range_noise = 0.0;
+  EXPECT_EQ(common.validate().size(), 3U);
+  EXPECT_THROW(IcpMatcher({}, common), std::invalid_argument);
 }
 
 }  // namespace

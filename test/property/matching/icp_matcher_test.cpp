@@ -28,7 +28,7 @@ TEST(IcpMatcherLaws, RecoversDisplacementsOfAScan) {
       for (const auto& p : reference) {
         scan.push_back(truth.inverse() * p);
       }
-      const MatchResult result = matcher.match(reference, scan, {});
+      const MatchResult result = matcher.match({{reference}}, {scan}, {});
       const auto gap = test::gapBetween(result.T_reference_scan, truth);
       EXPECT_LT(gap.translation, 0.01) << i;
       // Point-to-point ICP may lock one beam off: a beam is 0.0175 rad.
@@ -51,7 +51,7 @@ TEST(IcpMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
       const Points reference = test::measurePoints(room, first, 360, 0.01, random);
       const Points scan = test::measurePoints(room, first * truth, 360, 0.01, random);
       const Pose2 guess = truth * test::randomPose(0.08, 0.06, random);
-      const auto result = matcher.match(reference, scan, guess);
+      const auto result = matcher.match({{reference}}, {scan}, guess);
       const auto gap = test::gapBetween(result.T_reference_scan, truth);
       ++all;
       good += gap.translation < 0.04 && gap.rotation < 0.02 ? 1 : 0;
@@ -71,8 +71,8 @@ TEST(IcpMatcherLaws, FrameOfTheReferenceDoesNotMatter) {
   for (const auto& p : reference) {
     moved.push_back(T_other_reference * p);
   }
-  const auto here = matcher.match(reference, scan, {});
-  const auto there = matcher.match(moved, scan, T_other_reference);
+  const auto here = matcher.match({{reference}}, {scan}, {});
+  const auto there = matcher.match({{moved}}, {scan}, T_other_reference);
   const auto gap =
       test::gapBetween(T_other_reference * here.T_reference_scan, there.T_reference_scan);
   EXPECT_LT(gap.translation, 2e-3);

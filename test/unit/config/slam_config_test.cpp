@@ -25,13 +25,14 @@ TEST(SlamConfig, ValuesReachTheirFields) {
   ScanMatcherNodeConfig config;
   ParameterReader reader(
       YAML::Load("{keyframe_translation: 0.75, icp: {max_iterations: 7}, laser_pose: [0.1, 0, 3],"
-                 " loops: {neighbours: 5, icp: {max_iterations: 9}}, scans: {max_range: 5.6}}"),
+                 " match: {range_noise: 0.07}, loops: {neighbours: 5}, scans: {max_range: 5.6}}"),
       "scan_matcher");
   read(reader, config);
   EXPECT_NO_THROW(reader.finish());
   EXPECT_EQ(config.front_end.keyframe_translation, 0.75);
-  EXPECT_EQ(config.front_end.icp.max_iterations, 7);
-  EXPECT_EQ(config.loops.icp.max_iterations, 9);
+  EXPECT_EQ(config.front_end.matching.icp.max_iterations, 7);
+  EXPECT_EQ(config.front_end.matching.match.range_noise, 0.07);
+  EXPECT_EQ(config.loops.match.range_noise, 0.07);
   EXPECT_EQ(config.loops.neighbours, 5);
   EXPECT_EQ(config.intake.max_range, 5.6);
   EXPECT_EQ(config.laser_pose, (std::vector<double>{0.1, 0.0, 3.0}));
@@ -40,10 +41,6 @@ TEST(SlamConfig, ValuesReachTheirFields) {
 TEST(SlamConfig, FaultsBetweenKeysCarryTheFullName) {
   EXPECT_THAT(faultsOf<ScanMatcherNodeConfig>("scans: {min_range: 3.0, max_range: 2.0}"),
               HasSubstr("`node/scans/max_range` is 2"));
-  EXPECT_THAT(faultsOf<ScanMatcherNodeConfig>("icp: {outlier_distance: 0.6}"),
-              HasSubstr("`node/icp/max_correspondence_distance` is 0.5"));
-  EXPECT_THAT(faultsOf<ScanMatcherNodeConfig>("loops: {icp: {outlier_distance: 0.6}}"),
-              HasSubstr("`node/loops/icp/max_correspondence_distance` is 0.5"));
 }
 
 TEST(SlamConfig, FramesHaveNamesWithoutALeadingSlash) {

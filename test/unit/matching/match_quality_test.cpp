@@ -49,6 +49,8 @@ TEST(MatchQuality, CorridorLeavesItsDirectionOpen) {
   const Points scan = test::measurePoints(test::endlessCorridor(), {}, 360, 0.01, random);
   const MatchResult result = judge(scan, scan, {});
   EXPECT_EQ(result.failure, MatchFailure::kDegenerate);
+  ASSERT_TRUE(result.open_direction);
+  EXPECT_GT(std::abs(result.open_direction->x()), 0.99) << "along the corridor";
   EXPECT_GT(std::sqrt(result.covariance(0, 0)), 0.3) << "along the corridor";
   EXPECT_LT(std::sqrt(result.covariance(1, 1)), 0.02) << "across";
   EXPECT_LT(std::sqrt(result.covariance(2, 2)), 0.02);

@@ -110,7 +110,7 @@ TEST(FrontEnd, ConfigurationIsChecked) {
   FrontEndConfig config;
   config.keyframe_translation = 0.0;
   config.min_confidence = 1.5;
-  config.icp.max_iterations = 0;
+  config.matching.icp.max_iterations = 0;
   const auto sentences = config.validate();
   EXPECT_EQ(sentences.size(), 3U);
   EXPECT_EQ(sentences.back().rfind("icp/max_iterations", 0), 0U);

@@ -1,0 +1,45 @@
+#include "omega_slam/matching/matcher_factory.h"
+
+#include <map>
+
+#include "omega_slam/geometry/validation.h"
+
+namespace omega_slam::matching {
+namespace {
+
+using MatcherPtr = std::unique_ptr<const ScanMatcher>;
+using Maker = MatcherPtr (*)(const MatcherConfig&);
+
+MatcherPtr makeIcp(const MatcherConfig& config) {
+  return std::make_unique<IcpMatcher>(config.icp, config.match);
+}
+
+const std::map<std::string, Maker> kMakers{{"icp", makeIcp}};
+
+}  // namespace
+
+std::vector<std::string> MatcherConfig::validate() const {
+  geometry::Violations violations;
+  violations.include("match", match.validate());
+  violations.include("icp", icp.validate());
+  std::vector<std::string> sentences = violations.sentences();
+  if (kMakers.count(matcher) == 0) {
+    sentences.push_back("matcher is \"" + matcher + "\", but there is none of that name.");
+  }
+  return sentences;
+}
+
+std::vector<std::string> matcherNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, maker] : kMakers) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::unique_ptr<const ScanMatcher> makeMatcher(const MatcherConfig& config) {
+  geometry::throwIfAny(config.validate());
+  return kMakers.at(config.matcher)(config);
+}
+
+}  // namespace omega_slam::matching

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/scan_matcher.h"
+
+namespace omega_slam::matching {
+
+/// Which matcher, and how each of them works: a choice at run time.
+struct MatcherConfig {
+  std::string matcher{"icp"};  ///< one of matcherNames()
+  MatchConfig match;           ///< of all
+  IcpMatcherConfig icp;
+
+  [[nodiscard]] std::vector<std::string> validate() const;
+};
+
+/// The names that MatcherConfig::matcher may have.
+[[nodiscard]] std::vector<std::string> matcherNames();
+
+/// @throws std::invalid_argument
+[[nodiscard]] std::unique_ptr<const ScanMatcher> makeMatcher(const MatcherConfig& config);
+
+}  // namespace omega_slam::matching
