@@ -116,6 +116,7 @@ class SimulatorNode {
         return;
       }
     }
+    publishStart();
     pacer_.start(wallNow(), config_.robot.start_time);
     double next_report = wallNow() + kReportInterval;
     while (true) {
@@ -129,6 +130,11 @@ class SimulatorNode {
         return;
       }
     }
+  }
+
+  void publishStart() {
+    const std::lock_guard<std::mutex> lock(robot_mutex_);
+    publish(robot_.now(), robot_.bumper());
   }
 
   /// @return true as soon as the node is to stop

@@ -60,6 +60,17 @@ TurtleBot::TurtleBot(std::shared_ptr<const World> world, const geometry::Pose2& 
   }
 }
 
+TurtleBotEvents TurtleBot::now() const {
+  TurtleBotEvents events;
+  events.odometry = {time(),
+                     odometry_.pose(),
+                     {odometry_.linearSpeed(), odometry_.angularSpeed()},
+                     odometry_.leftWheel(),
+                     odometry_.rightWheel()};
+  events.truth = truth();
+  return events;
+}
+
 TurtleBotEvents TurtleBot::step() {
   const geometry::StampedPose2 laser_before{time(), kobuki_.pose() * config_.T_base_laser};
   const Bumper bumper_before = kobuki_.bumper();
@@ -72,13 +83,7 @@ TurtleBotEvents TurtleBot::step() {
   }
   const geometry::StampedPose2 laser_after{time(), kobuki_.pose() * config_.T_base_laser};
 
-  TurtleBotEvents events;
-  events.odometry = {time(),
-                     odometry_.pose(),
-                     {odometry_.linearSpeed(), odometry_.angularSpeed()},
-                     odometry_.leftWheel(),
-                     odometry_.rightWheel()};
-  events.truth = truth();
+  TurtleBotEvents events = now();
   events.scan = hokuyo_.sweep(*world_, laser_before, laser_after);
   if (kobuki_.bumper() != bumper_before) {
     events.bumper = kobuki_.bumper();

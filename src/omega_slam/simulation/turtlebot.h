@@ -43,7 +43,7 @@ struct GroundTruth {
   Twist2 velocity;
 };
 
-/// All that a step brings.
+/// All that a moment brings.
 struct TurtleBotEvents {
   OdometrySample odometry;
   GroundTruth truth;
@@ -62,6 +62,10 @@ class TurtleBot {
 
   /// @return false, and nothing changes, if the command is not finite
   [[nodiscard]] bool command(const Twist2& velocity) { return kobuki_.command(velocity); }
+
+  /// Odometry and truth as they are now: what is said before the first step, so that the first
+  /// scan, whose sweep begins with it, has an odometry to begin with.
+  [[nodiscard]] TurtleBotEvents now() const;
 
   /// Lets `config.time_step` pass.
   TurtleBotEvents step();

@@ -43,6 +43,17 @@ TEST(TurtleBot, SameSeedSameBytes) {
   EXPECT_NE(recordDrive(7), recordDrive(8));
 }
 
+TEST(TurtleBot, HasOdometryBeforeItsFirstScanBegins) {
+  TurtleBot robot(test::emptyRoom(1.0), {}, {});
+  const double first_odometry = robot.now().odometry.stamp;
+  EXPECT_EQ(robot.now().truth.stamp, first_odometry);
+  TurtleBotEvents events;
+  while (!events.scan) {
+    events = robot.step();
+  }
+  EXPECT_LE(first_odometry, events.scan->stamp);
+}
+
 TEST(TurtleBot, TimeIsCountedAndDoesNotDrift) {
   TurtleBot robot(test::emptyRoom(1.0), {}, {});
   EXPECT_EQ(robot.time(), 1.0);
