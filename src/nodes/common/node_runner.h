@@ -3,16 +3,22 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <iostream>
 #include <sstream>
 #include <string>
 
 namespace omega_slam {
 
-/// Logs each line of a text, one fault a line, as fatal.
+/// Logs each line of a text, one fault a line, as fatal; on stderr where ROS, and its log with it,
+/// is down already.
 inline void logFatalLines(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    ROS_FATAL_STREAM(line);
+    if (ros::ok()) {
+      ROS_FATAL_STREAM(line);
+    } else {
+      std::cerr << "[FATAL] " << line << '\n';
+    }
   }
 }
 
