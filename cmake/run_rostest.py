@@ -22,8 +22,8 @@ def environment(output_dir):
     result['PATH'] = '/usr/bin:' + result.get('PATH', '/bin')
     result['ROS_HOME'] = str(output_dir / 'ros_home')
     result['ROS_LOG_DIR'] = str(output_dir / 'log')
-    result['ROS_HOSTNAME'] = 'localhost'
-    for name in ('ROS_IP', 'ROS_MASTER_URI', 'ROS_NAMESPACE', 'PYTHONHOME'):
+    result['ROS_IP'] = '127.0.0.1'  # not by its name, which a bare system may not know
+    for name in ('ROS_HOSTNAME', 'ROS_MASTER_URI', 'ROS_NAMESPACE', 'PYTHONHOME'):
         result.pop(name, None)
     return result
 

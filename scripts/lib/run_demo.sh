@@ -22,9 +22,9 @@ enter_ros() {
   set +u
   source "$DEMO_TREE/devel/setup.bash"
   set -u
-  unset ROS_IP ROS_NAMESPACE
-  export ROS_HOSTNAME=localhost
-  ROS_MASTER_URI=http://localhost:$(free_port)
+  unset ROS_HOSTNAME ROS_NAMESPACE
+  export ROS_IP=127.0.0.1 # not by its name, which a bare system may not know
+  ROS_MASTER_URI=http://127.0.0.1:$(free_port)
   export ROS_MASTER_URI
   export ROS_LOG_DIR=$1/log
 }

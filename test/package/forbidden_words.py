@@ -11,11 +11,11 @@ PUBLIC_SUFFIXES = ('.org', '.com', '.net', '.io', '.edu', '.de', '.fr', '.exampl
 PATTERNS = [
     (re.compile(r'/(home|Users)' r'/\w+'), 'a home directory'),
     (re.compile(r'(?<![\w.])/ro' r'ot\b'), "root's home directory"),
-    (re.compile(r'\b(10|127|192\.168|172\.(1[6-9]|2\d|3[01]))' r'(\.\d{1,3}){2,3}\b'),
+    (re.compile(r'\b(10|192\.168|172\.(1[6-9]|2\d|3[01]))' r'(\.\d{1,3}){2,3}\b'),
      'a private address'),
 ]
 URL = re.compile(r'\bhttps?://([\w.-]+)')
-LOCAL_HOSTS = {'localhost'}
+LOCAL_HOSTS = {'localhost', '127.0.0.1'}
 
 
 def hostFaults(line):
