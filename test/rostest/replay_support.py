@@ -41,7 +41,7 @@ class Run:
 
 @dataclasses.dataclass
 class Difference:
-    """How far a replay lies from its recording, after both are laid upon their first pose."""
+    """How far a replay lies from its recording, after it is laid upon it as well as can be."""
     mean_distance: float  # [m] between poses of the same scan
     max_distance: float  # [m]
     mean_turn: float  # [rad]
@@ -63,9 +63,9 @@ class Ros(contextlib.AbstractContextManager):
         with socket.socket() as listener:
             listener.bind(('', 0))
             self.port = listener.getsockname()[1]
-        self.environment = dict(os.environ, ROS_MASTER_URI=f'http://localhost:{self.port}',
-                                ROS_HOSTNAME='localhost', ROS_LOG_DIR=str(self.folder / 'log'))
-        for name in ('ROS_IP', 'ROS_NAMESPACE'):
+        self.environment = dict(os.environ, ROS_MASTER_URI=f'http://127.0.0.1:{self.port}',
+                                ROS_IP='127.0.0.1', ROS_LOG_DIR=str(self.folder / 'log'))
+        for name in ('ROS_HOSTNAME', 'ROS_NAMESPACE'):
             self.environment.pop(name, None)
         self.processes = []
 
@@ -225,14 +225,27 @@ def compareMaps(recorded, replayed, T_recorded_replayed):
     return mismatch, abs(known_b.sum() / known_a.sum() - 1.0)
 
 
+def bestAlignment(points_a, points_b):
+    """@return T_a_b as a matrix, by least squares (Umeyama 1991, without the scale)
+
+    Not by the first pose: what little it turns differently would swing the far end of the building.
+    """
+    mean_a, mean_b = points_a.mean(axis=0), points_b.mean(axis=0)
+    a, b = points_a - mean_a, points_b - mean_b
+    theta = numpy.arctan2((b[:, 0] * a[:, 1] - b[:, 1] * a[:, 0]).sum(), (a * b).sum())
+    T_a_b = matrix((0.0, 0.0, theta))
+    T_a_b[:2, 2] = mean_a - T_a_b[:2, :2] @ mean_b
+    return T_a_b
+
+
 def compare(recorded, replayed):
     """@param recorded, replayed folders that run_recorder has written"""
     poses_a, poses_b = readTrajectory(recorded), readTrajectory(replayed)
     stamps = sorted(set(poses_a) & set(poses_b))
     if len(stamps) < 0.9 * len(poses_a):
         raise RuntimeError(f'Only {len(stamps)} of {len(poses_a)} scans are in the replay too.')
-    first = stamps[0]
-    T_recorded_replayed = matrix(poses_a[first]) @ numpy.linalg.inv(matrix(poses_b[first]))
+    T_recorded_replayed = bestAlignment(numpy.array([poses_a[stamp][:2] for stamp in stamps]),
+                                        numpy.array([poses_b[stamp][:2] for stamp in stamps]))
     distances, turns = [], []
     for stamp in stamps:
         a, b = matrix(poses_a[stamp]), T_recorded_replayed @ matrix(poses_b[stamp])
