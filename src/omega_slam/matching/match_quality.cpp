@@ -15,7 +15,7 @@ constexpr double kPriorTranslation = 1.0;  // [m] deviation along directions tha
 constexpr double kPriorRotation = 0.5;     // [rad]
 constexpr double kFloorTranslation = 0.01;    // [m]
 constexpr double kFloorRotation = 0.003;      // [rad]
-constexpr double kDegenerateDeviation = 0.3;  // [m] a direction known no better is not determined
+constexpr double kDegenerateDeviation = 0.3;  // [m], [rad] a direction known no better is open
 
 /// Information that the distance to a surface gives on the place of a point, in units of the
 /// distance's variance: n n^T for the normal n. A normal tilted by noise would pretend to know
@@ -26,37 +26,7 @@ Eigen::Matrix2d pointInformation(const Surface& surface) {
          surface.slope_variance * tangent * tangent.transpose();
 }
 
-struct Evidence {
-  std::size_t partners{0};
-  double squared_residuals{0.0};
-  Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};  // in units of a distance's variance
-};
-
-Evidence gatherEvidence(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
-                        double reach) {
-  const Eigen::Matrix2d rotation = T_reference_scan.rotation();
-  Evidence evidence;
-  for (const Eigen::Vector2d& p_scan : scan) {
-    const Eigen::Vector2d arm = rotation * p_scan;
-    const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
-    const auto partner = reference.partnerOf(p_reference, reach);
-    if (!partner) {
-      continue;
-    }
-    const Surface& surface = partner->surface;
-    const Eigen::Vector2d gap = p_reference - partner->point;
-    // Along a wall the spacing of its points is no error.
-    const double residual = surface.isLine() ? surface.normal.dot(gap) : gap.norm();
-    Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
-    jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
-    evidence.hessian += jacobian.transpose() * pointInformation(surface) * jacobian;
-    evidence.squared_residuals += residual * residual;
-    ++evidence.partners;
-  }
-  return evidence;
-}
-
-Eigen::Matrix3d covarianceOf(const Evidence& evidence, double deviation) {
+Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
   const Eigen::Vector3d prior(1.0 / (kPriorTranslation * kPriorTranslation),
                               1.0 / (kPriorTranslation * kPriorTranslation),
                               1.0 / (kPriorRotation * kPriorRotation));
@@ -75,33 +45,59 @@ Eigen::Matrix3d covarianceOf(const Evidence& evidence, double deviation) {
   return covariance;
 }
 
+/// Names the direction that the covariance leaves open, if any.
+void findOpenDirection(MatchResult& result) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(result.covariance);
+  if (std::sqrt(axes.eigenvalues()[2]) > kDegenerateDeviation) {
+    result.failure = MatchFailure::kDegenerate;
+    result.open_direction = axes.eigenvectors().col(2);
+  }
+}
+
 }  // namespace
 
-MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
-                       const MatchConfig& config) {
+void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
+                        const Eigen::Vector2d& arm) {
+  // Along a wall the spacing of its points is no error.
+  squared_residuals += surface.isLine() ? std::pow(surface.normal.dot(gap), 2) : gap.squaredNorm();
+  Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
+  jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
+  hessian += jacobian.transpose() * pointInformation(surface) * jacobian;
+  ++partners;
+}
+
+MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_reference_scan,
+                          const MatchConfig& config) {
   MatchResult result;
   result.T_reference_scan = T_reference_scan;
-  const Evidence evidence =
-      gatherEvidence(reference, scan, T_reference_scan, config.outlier_distance);
   if (evidence.partners == 0) {
     result.covariance = covarianceOf(evidence, config.range_noise);
     result.failure = MatchFailure::kNoOverlap;
     return result;
   }
   const auto partners = static_cast<double>(evidence.partners);
-  result.overlap = partners / static_cast<double>(scan.size());
+  result.overlap = partners / static_cast<double>(evidence.points);
   result.residual = std::sqrt(evidence.squared_residuals / partners);
   const double misfit = result.residual / config.outlier_distance;
   result.confidence = std::clamp(result.overlap * (1.0 - misfit * misfit), 0.0, 1.0);
   result.covariance = covarianceOf(evidence, std::max(config.range_noise, result.residual));
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(result.covariance.topLeftCorner<2, 2>());
-  if (std::sqrt(axes.eigenvalues()[1]) > kDegenerateDeviation) {
-    result.failure = MatchFailure::kDegenerate;
-    const Eigen::Vector2d open = axes.eigenvectors().col(1);
-    result.open_direction = Eigen::Vector3d(open.x(), open.y(), 0.0);
-  }
+  findOpenDirection(result);
   return result;
+}
+
+MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
+                       const MatchConfig& config) {
+  const Eigen::Matrix2d rotation = T_reference_scan.rotation();
+  MatchEvidence evidence;
+  evidence.points = scan.size();
+  for (const Eigen::Vector2d& p_scan : scan) {
+    const Eigen::Vector2d arm = rotation * p_scan;
+    const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
+    if (const auto partner = reference.partnerOf(p_reference, config.outlier_distance)) {
+      evidence.add(partner->surface, p_reference - partner->point, arm);
+    }
+  }
+  return judgeEvidence(evidence, T_reference_scan, config);
 }
 
 }  // namespace omega_slam::matching

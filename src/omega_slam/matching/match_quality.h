@@ -6,6 +6,26 @@
 
 namespace omega_slam::matching {
 
+/// What the points of a scan, laid on a reference, say of the pose that laid them there.
+struct MatchEvidence {
+  std::size_t points{0};          ///< of the scan
+  std::size_t partners{0};        ///< that the reference had for them
+  double squared_residuals{0.0};  ///< [m^2] sum over the partners
+  /// Information on (x, y, theta) in units of a distance's variance.
+  Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};
+
+  /// Adds a point that has a partner.
+  /// @param surface of the reference around the partner
+  /// @param gap [m] from the partner to the point
+  /// @param arm [m] from the scan's origin to the point; both in the reference's axes
+  void add(const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm);
+};
+
+/// Overlap, residual, confidence and covariance from what the points say: see judgeMatch.
+[[nodiscard]] MatchResult judgeEvidence(const MatchEvidence& evidence,
+                                        const geometry::Pose2& T_reference_scan,
+                                        const MatchConfig& config);
+
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the

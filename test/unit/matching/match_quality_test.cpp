@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "omega_slam/geometry/angle.h"
 #include "support/room.h"
 
 namespace omega_slam::matching {
@@ -54,6 +55,20 @@ TEST(MatchQuality, CorridorLeavesItsDirectionOpen) {
   EXPECT_GT(std::sqrt(result.covariance(0, 0)), 0.3) << "along the corridor";
   EXPECT_LT(std::sqrt(result.covariance(1, 1)), 0.02) << "across";
   EXPECT_LT(std::sqrt(result.covariance(2, 2)), 0.02);
+}
+
+TEST(MatchQuality, RoundRoomLeavesItsTurnOpen) {
+  Points round;
+  for (int i = 0; i < 360; ++i) {
+    const double angle = i * geometry::kPi / 180.0;
+    round.emplace_back(3.0 * std::cos(angle), 3.0 * std::sin(angle));
+  }
+  const MatchResult result = judge(round, round, {});
+  EXPECT_EQ(result.failure, MatchFailure::kDegenerate);
+  ASSERT_TRUE(result.open_direction);
+  EXPECT_GT(std::abs(result.open_direction->z()), 0.99);
+  EXPECT_GT(std::sqrt(result.covariance(2, 2)), 0.3);
+  EXPECT_LT(std::sqrt(result.covariance(0, 0)), 0.02);
 }
 
 TEST(MatchQuality, EmptyScanHasNoOverlap) {
