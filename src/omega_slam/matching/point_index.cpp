@@ -1,72 +1,154 @@
 #include "omega_slam/matching/point_index.h"
 
 #include <algorithm>
-#include <array>
-#include <nanoflann.hpp>
-#include <utility>
+#include <cmath>
 
 namespace omega_slam::matching {
 
 namespace {
 
-/// What nanoflann wants to know of a set of points. Its names, not ours.
-struct Adaptor {
-  const Points& points;
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-    return points[index][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
-  }
-};
+constexpr double kCell = 0.1;       // [m]
+constexpr std::int32_t kTurn = 64;  // cells along each axis until the grid begins anew
+constexpr std::int32_t kMask = kTurn - 1;
+constexpr std::int32_t kWidest = kTurn / 2 - 1;  // ring that does not yet meet itself
+constexpr double kFarthest = 500000.0;           // cells from the origin; beyond, all share one
 
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>,
-                                                   Adaptor, 2, std::size_t>;
+/// Cells between a place's own and the farthest that a circle around it may touch; kWidest + 1 for
+/// all that is too many.
+std::int32_t ringsTo(double radius) {
+  return static_cast<std::int32_t>(std::ceil(std::min(radius / kCell, kWidest + 1.0)));
+}
 
 }  // namespace
 
-struct PointIndex::Tree {
-  explicit Tree(const Points& points) : adaptor{points}, tree(2, adaptor, {10}) {
-    tree.buildIndex();
-  }
-  Adaptor adaptor;
-  KdTree tree;
-};
+PointIndex::Cell PointIndex::cellOf(const Eigen::Vector2d& point) {
+  // Truncation of what is never negative rounds down, and costs less than std::floor. The order of
+  // the arguments makes NaN a number.
+  const auto along = [](double coordinate) {
+    const double cell = std::min(kFarthest, std::max(-kFarthest, coordinate / kCell));
+    return static_cast<std::int32_t>(cell + kFarthest);
+  };
+  return {along(point.x()), along(point.y())};
+}
 
-PointIndex::PointIndex(const Points& points) : tree_(std::make_unique<Tree>(points)) {}
-PointIndex::~PointIndex() = default;
+std::size_t PointIndex::bucketOf(std::int32_t x, std::int32_t y) {
+  return static_cast<std::size_t>((y & kMask) * kTurn + (x & kMask));
+}
 
-void PointIndex::nearest(const Eigen::Vector2d& query, std::size_t count,
-                         std::vector<Neighbour>& neighbours) const {
-  constexpr std::size_t kMost = 16;
-  std::array<std::size_t, kMost> indices{};
-  std::array<double, kMost> distances{};
-  const std::size_t wanted = std::min({count, kMost, tree_->adaptor.points.size()});
-  neighbours.clear();
-  if (wanted == 0) {
-    return;
+PointIndex::PointIndex(const Points& points)
+    : starts_(kTurn * kTurn + 1, 0), entries_(points.size()) {
+  std::vector<std::uint32_t> buckets;
+  buckets.reserve(points.size());
+  for (const Eigen::Vector2d& point : points) {
+    const Cell cell = cellOf(point);
+    buckets.push_back(static_cast<std::uint32_t>(bucketOf(cell.x, cell.y)));
+    ++starts_[buckets.back()];
   }
-  const std::size_t found =
-      tree_->tree.knnSearch(query.data(), wanted, indices.data(), distances.data());
-  for (std::size_t i = 0; i < found; ++i) {
-    neighbours.push_back({indices[i], distances[i]});
+  // A counting sort: first each bucket's end; filling them backwards leaves the starts.
+  std::uint32_t end = 0;
+  for (std::uint32_t& start : starts_) {
+    end += start;
+    start = end;
+  }
+  for (std::size_t i = points.size(); i-- > 0;) {
+    entries_[--starts_[buckets[i]]] = {points[i], i};
+  }
+}
+
+template <class Visitor>
+void PointIndex::visitRow(std::int32_t y, std::int32_t first_x, std::int32_t last_x,
+                          Visitor visit) const {
+  const auto visitRun = [&](std::size_t first_bucket, std::size_t last_bucket) {
+    for (std::uint32_t i = starts_[first_bucket]; i < starts_[last_bucket + 1]; ++i) {
+      visit(entries_[i]);
+    }
+  };
+  const std::size_t first = bucketOf(first_x, y);
+  const std::size_t last = bucketOf(last_x, y);
+  if (first <= last) {
+    visitRun(first, last);
+  } else {  // across the seam
+    visitRun(first, bucketOf(kMask, y));
+    visitRun(bucketOf(0, y), last);
+  }
+}
+
+std::optional<PointIndex::Neighbour> PointIndex::nearest(const Eigen::Vector2d& query,
+                                                         double reach) const {
+  const Entry* best = nullptr;
+  double smallest = reach * reach;
+  const auto visit = [&](const Entry& entry) {
+    const double squared = (entry.point - query).squaredNorm();
+    if (squared < smallest || (squared == smallest && best == nullptr)) {
+      smallest = squared;
+      best = &entry;
+    }
+  };
+  if (ringsTo(reach) > kWidest) {
+    std::for_each(entries_.begin(), entries_.end(), visit);
+  } else {
+    searchRings(query, ringsTo(reach), smallest, visit);
+  }
+  if (best == nullptr) {
+    return std::nullopt;
+  }
+  return Neighbour{best->index, smallest};
+}
+
+template <class Visitor>
+void PointIndex::searchRings(const Eigen::Vector2d& query, std::int32_t rings,
+                             const double& smallest, Visitor visit) const {
+  const Cell cell = cellOf(query);
+  const Eigen::Vector2d corner((cell.x - kFarthest) * kCell, (cell.y - kFarthest) * kCell);
+  const Eigen::Vector2d below = query - corner;  // to the cell's own borders
+  const Eigen::Vector2d above = Eigen::Vector2d::Constant(kCell) - below;
+  visitRow(cell.y, cell.x, cell.x, visit);
+  for (std::int32_t ring = 1; ring <= rings; ++ring) {
+    const auto isClose = [&](double to_own_border) {
+      const double gap = std::max(0.0, to_own_border + (ring - 1) * kCell);
+      return gap * gap <= smallest;
+    };
+    const bool down = isClose(below.y());
+    const bool up = isClose(above.y());
+    const bool left = isClose(below.x());
+    const bool right = isClose(above.x());
+    if (!down && !up && !left && !right) {
+      return;
+    }
+    if (down) {
+      visitRow(cell.y - ring, cell.x - ring, cell.x + ring, visit);
+    }
+    if (up) {
+      visitRow(cell.y + ring, cell.x - ring, cell.x + ring, visit);
+    }
+    for (std::int32_t y = cell.y - ring + 1; y < cell.y + ring; ++y) {
+      if (left) {
+        visitRow(y, cell.x - ring, cell.x - ring, visit);
+      }
+      if (right) {
+        visitRow(y, cell.x + ring, cell.x + ring, visit);
+      }
+    }
   }
 }
 
 void PointIndex::within(const Eigen::Vector2d& query, double radius,
                         std::vector<Neighbour>& neighbours) const {
   neighbours.clear();
-  if (tree_->adaptor.points.empty()) {
+  const auto visit = [&](const Entry& entry) {
+    const double squared = (entry.point - query).squaredNorm();
+    if (squared <= radius * radius) {
+      neighbours.push_back({entry.index, squared});
+    }
+  };
+  const std::int32_t reach = ringsTo(radius);
+  if (reach > kWidest) {
+    std::for_each(entries_.begin(), entries_.end(), visit);
     return;
   }
-  std::vector<std::pair<std::size_t, double>> found;
-  nanoflann::SearchParams unsorted;
-  unsorted.sorted = false;
-  tree_->tree.radiusSearch(query.data(), radius * radius, found, unsorted);
-  for (const auto& [index, squared_distance] : found) {
-    neighbours.push_back({index, squared_distance});
+  const Cell center = cellOf(query);
+  for (std::int32_t y = center.y - reach; y <= center.y + reach; ++y) {
+    visitRow(y, center.x - reach, center.x + reach, visit);
   }
 }
 

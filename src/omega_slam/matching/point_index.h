@@ -2,37 +2,57 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "omega_slam/matching/scan_matcher.h"
 
 namespace omega_slam::matching {
 
-/// Nearest neighbours among points of the plane, by a kd-tree. The points must outlive the index.
+/// Nearest neighbours among points of the plane.
+///
+/// The points are sorted by the cells of a square grid that is wrapped around like a torus: cells
+/// that lie a whole turn apart share a bucket. No memory is spent on the empty plane between far
+/// walls, nothing is hashed, and a bucket's strangers are found out by their distance. Built in
+/// O(points); a query looks at the cells within its answer's distance only, which for the points of
+/// a laser beats a tree by far.
 class PointIndex {
  public:
+  /// @param points finite; those beyond 50 km of the origin are found as well, but slowly
   explicit PointIndex(const Points& points);
-  ~PointIndex();
-  PointIndex(const PointIndex&) = delete;
-  PointIndex& operator=(const PointIndex&) = delete;
 
   struct Neighbour {
-    std::size_t index{0};
+    std::size_t index{0};          ///< of the point among those given
     double squared_distance{0.0};  ///< [m^2]
   };
 
-  /// Up to `count` nearest points, nearest first; fewer only if there are fewer points.
-  void nearest(const Eigen::Vector2d& query, std::size_t count,
-               std::vector<Neighbour>& neighbours) const;
+  /// The nearest point, none if it is farther than `reach` [m].
+  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector2d& query, double reach) const;
 
-  /// All points within a radius [m], in no particular order.
+  /// All points within a radius [m], in no particular order but always the same.
   void within(const Eigen::Vector2d& query, double radius,
               std::vector<Neighbour>& neighbours) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  struct Cell {
+    std::int32_t x;
+    std::int32_t y;
+  };
+  struct Entry {
+    Eigen::Vector2d point;
+    std::size_t index;
+  };
+  [[nodiscard]] static Cell cellOf(const Eigen::Vector2d& point);
+  [[nodiscard]] static std::size_t bucketOf(std::int32_t x, std::int32_t y);
+  template <class Visitor>
+  void visitRow(std::int32_t y, std::int32_t first_x, std::int32_t last_x, Visitor visit) const;
+  template <class Visitor>
+  void searchRings(const Eigen::Vector2d& query, std::int32_t rings, const double& smallest,
+                   Visitor visit) const;
+
+  std::vector<std::uint32_t> starts_;  // of each bucket's entries, and the end
+  std::vector<Entry> entries_;         // sorted by bucket
 };
 
 }  // namespace omega_slam::matching

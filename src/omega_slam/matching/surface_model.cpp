@@ -1,7 +1,7 @@
 #include "omega_slam/matching/surface_model.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace omega_slam::matching {
 
@@ -9,48 +9,147 @@ namespace {
 
 constexpr double kSurfaceRadius = 0.3;  // [m] neighbours that make up the surface around a point
 constexpr double kLineFlatness = 0.25;  // minor over major axis; above, it is no line
+constexpr double kSpotRadius = 0.05;    // [m] root mean square of what is small
+constexpr double kLeastNoise = 0.01;    // [m] of a range: three points may look straighter
+constexpr double kDoubt = 3.0;          // times the average that tilted normals pretend to know
+// Far away the neighbours of a beam lie beyond the radius above. With the point between them they
+// are a line if they are not farther than this, about equally far, and straight within:
+constexpr double kSparseRadius = 1.5;  // [m]
+constexpr double kSparseSlope = 0.06;  // [rad] deviation of the normal
+
+/// Sums over points, given as offsets from one of them, which keeps the digits.
+struct Moments {
+  std::size_t count{0};
+  Eigen::Vector2d sum{0.0, 0.0};
+  Eigen::Matrix2d squares{Eigen::Matrix2d::Zero()};
+
+  void add(const Eigen::Vector2d& offset) {
+    ++count;
+    sum += offset;
+    squares += offset * offset.transpose();
+  }
+};
+
+SurfaceModel::Partner partnerFrom(const Moments& moments, const Eigen::Vector2d& origin) {
+  const Eigen::Vector2d mean = moments.sum / static_cast<double>(moments.count);
+  const Surface surface =
+      fitSurface(moments.squares - moments.sum * mean.transpose(), moments.count);
+  return {surface.isLine() ? origin + mean : origin, surface};
+}
 
 }  // namespace
 
-Surface fitSurface(const Points& points, const std::vector<PointIndex::Neighbour>& members) {
-  if (members.size() < 3) {
-    return {};
+Eigen::Matrix2d Surface::information() const {
+  if (isLine()) {
+    return normal * normal.transpose();
   }
-  const auto count = static_cast<double>(members.size());
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const auto& member : members) {
-    mean += points[member.index] / count;
+  return 0.5 * Eigen::Matrix2d::Identity();
+}
+
+Eigen::Matrix2d Surface::certainInformation() const {
+  if (isLine()) {
+    const Eigen::Vector2d tangent(-normal.y(), normal.x());
+    return information() - kDoubt * slope_variance * tangent * tangent.transpose();
   }
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (const auto& member : members) {
-    const Eigen::Vector2d d = points[member.index] - mean;
-    scatter += d * d.transpose();
+  return is_spot ? information() : Eigen::Matrix2d::Zero();
+}
+
+Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count) {
+  Surface surface;
+  if (count < 3) {
+    return surface;
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(scatter);
-  const double across = std::max(axes.eigenvalues()[0], 0.0);
-  const double along = axes.eigenvalues()[1];
+  const double middle = 0.5 * (scatter(0, 0) + scatter(1, 1));
+  const double half_gap = std::hypot(0.5 * (scatter(0, 0) - scatter(1, 1)), scatter(0, 1));
+  const double along = middle + half_gap;
+  const double across = std::max(middle - half_gap, 0.0);
   if (across >= kLineFlatness * kLineFlatness * along) {
-    return {};
+    surface.is_spot = along <= static_cast<double>(count) * kSpotRadius * kSpotRadius;
+    return surface;
   }
-  return {axes.eigenvectors().col(0), across / (count - 2.0) / along};
+  // Of the two forms of the major axis the one that does not cancel.
+  const Eigen::Vector2d tangent = scatter(0, 0) > scatter(1, 1)
+                                      ? Eigen::Vector2d(along - scatter(1, 1), scatter(0, 1))
+                                      : Eigen::Vector2d(scatter(0, 1), along - scatter(0, 0));
+  const double length = tangent.norm();
+  surface.normal = {-tangent.y() / length, tangent.x() / length};
+  const double variance = across / static_cast<double>(count - 2);
+  surface.slope_variance = std::max(variance, kLeastNoise * kLeastNoise) / along;
+  return surface;
 }
 
 SurfaceModel::SurfaceModel(const Points& reference)
-    : reference_(reference), index_(reference), surfaces_(reference.size()) {}
+    : reference_(reference), index_(reference), partners_(reference.size()) {}
 
 std::optional<SurfaceModel::Partner> SurfaceModel::partnerOf(const Eigen::Vector2d& p_reference,
                                                              double reach) {
-  index_.nearest(p_reference, 1, neighbours_);
-  if (neighbours_.empty() || neighbours_.front().squared_distance > reach * reach) {
+  const auto nearest = index_.nearest(p_reference, reach);
+  if (!nearest) {
     return std::nullopt;
   }
-  const std::size_t nearest = neighbours_.front().index;
-  if (!surfaces_[nearest]) {
-    index_.within(reference_[nearest], kSurfaceRadius, neighbours_);
-    surfaces_[nearest] = fitSurface(reference_, neighbours_);
+  std::optional<Partner>& partner = partners_[nearest->index];
+  if (!partner) {
+    partner = fitAround(nearest->index);
   }
-  return Partner{reference_[nearest], *surfaces_[nearest]};
+  return partner;
+}
+
+SurfaceModel::Partner SurfaceModel::fitAround(std::size_t index) {
+  Partner partner = fitSweep(index);
+  if (!partner.surface.isLine()) {
+    partner = fitNeighbourhood(index);
+  }
+  if (!partner.surface.isLine() && !partner.surface.is_spot) {
+    partner = fitSparse(index);
+  }
+  return partner;
+}
+
+SurfaceModel::Partner SurfaceModel::fitSweep(std::size_t index) const {
+  const Eigen::Vector2d& origin = reference_[index];
+  const auto isNear = [&](std::size_t i) {
+    return (reference_[i] - origin).squaredNorm() <= kSurfaceRadius * kSurfaceRadius;
+  };
+  std::size_t first = index;
+  while (first > 0 && isNear(first - 1)) {
+    --first;
+  }
+  Moments run;
+  for (std::size_t i = first; i < reference_.size() && (i <= index || isNear(i)); ++i) {
+    run.add(reference_[i] - origin);
+  }
+  return partnerFrom(run, origin);
+}
+
+SurfaceModel::Partner SurfaceModel::fitNeighbourhood(std::size_t index) {
+  const Eigen::Vector2d& origin = reference_[index];
+  index_.within(origin, kSurfaceRadius, neighbours_);
+  Moments around;
+  for (const PointIndex::Neighbour& neighbour : neighbours_) {
+    around.add(reference_[neighbour.index] - origin);
+  }
+  return partnerFrom(around, origin);
+}
+
+SurfaceModel::Partner SurfaceModel::fitSparse(std::size_t index) const {
+  const Eigen::Vector2d& origin = reference_[index];
+  if (index == 0 || index + 1 == reference_.size()) {
+    return {origin, {}};
+  }
+  const Eigen::Vector2d before = reference_[index - 1] - origin;
+  const Eigen::Vector2d after = reference_[index + 1] - origin;
+  const double nearer = std::min(before.norm(), after.norm());
+  const double farther = std::max(before.norm(), after.norm());
+  if (farther < kSurfaceRadius || farther > std::min(kSparseRadius, 2.0 * nearer)) {
+    return {origin, {}};
+  }
+  Moments three;
+  three.add(before);
+  three.add({0.0, 0.0});
+  three.add(after);
+  const Partner partner = partnerFrom(three, origin);
+  const bool is_straight = partner.surface.slope_variance <= kSparseSlope * kSparseSlope;
+  return is_straight ? partner : Partner{origin, {}};
 }
 
 }  // namespace omega_slam::matching

@@ -10,36 +10,60 @@
 
 namespace omega_slam::matching {
 
-/// The line through the points around a place.
+/// What the points around a place form: a line, a spot, or nothing in particular.
 struct Surface {
-  Eigen::Vector2d normal{0.0, 0.0};  ///< unit; zero where the points form no line
+  Eigen::Vector2d normal{0.0, 0.0};  ///< of the line, unit; zero where there is none
   double slope_variance{0.0};        ///< of the normal's direction [rad^2]
+  bool is_spot{false};               ///< no line, but points close together, as of a table's leg
 
   [[nodiscard]] bool isLine() const { return !normal.isZero(); }
+
+  /// What it says of where a point on it lies, in units of a range's information: n n^T for a line,
+  /// which is free along itself. Elsewhere the partner itself says it, which is as noisy as the
+  /// point: half the identity.
+  [[nodiscard]] Eigen::Matrix2d information() const;
+
+  /// The part of it to build on. Noise tilts the normals, and what is tilted pretends to know
+  /// something along the wall: by s^2 t t^T on average, with the tangent t and the slope's variance
+  /// s^2; three times that is taken off, since neighbours tilt together. Where points form neither
+  /// a line nor a spot, as at the end of a wall that the laser sees no farther, nothing is left.
+  [[nodiscard]] Eigen::Matrix2d certainInformation() const;
 };
 
-/// The line that fits the points best; none (a zero normal) for fewer than three, or a heap.
-[[nodiscard]] Surface fitSurface(const Points& points,
-                                 const std::vector<PointIndex::Neighbour>& members);
+/// The line that fits points best, from what they sum up to: total least squares. None for fewer
+/// than three points, or a heap, which is a spot if it is small.
+/// @param scatter [m^2] sum of d d^T for the points' offsets d from their mean
+[[nodiscard]] Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count);
 
-/// The points of a reference as the surfaces that they were measured on. A surface is fitted when
-/// it is first asked for. The points must outlive the model. Not thread-safe.
+/// The points of a reference as the surfaces that they were measured on: for each point the line
+/// through its neighbours in the sweep within 0.3 m. Where that is too few, as far away or among
+/// points without order, the line through all points within 0.3 m, or through the two neighbours
+/// in the sweep where they lie straight. A surface is fitted when it is first asked for.
+///
+/// The points must outlive the model. Not thread-safe.
 class SurfaceModel {
  public:
+  /// @param reference views one after the other, each in the order of its sweep; finite
   explicit SurfaceModel(const Points& reference);
 
   struct Partner {
-    Eigen::Vector2d point;  ///< [m] of the reference
-    Surface surface;        ///< around it
+    /// [m] on the line, where there is one; else the reference's point
+    Eigen::Vector2d point{0.0, 0.0};
+    Surface surface;
   };
 
-  /// The reference point nearest to a place, none if it is farther than `reach` [m].
+  /// The surface of the reference point nearest to a place, none if it is farther than `reach` [m].
   [[nodiscard]] std::optional<Partner> partnerOf(const Eigen::Vector2d& p_reference, double reach);
 
  private:
+  [[nodiscard]] Partner fitAround(std::size_t index);
+  [[nodiscard]] Partner fitSweep(std::size_t index) const;
+  [[nodiscard]] Partner fitNeighbourhood(std::size_t index);
+  [[nodiscard]] Partner fitSparse(std::size_t index) const;
+
   const Points& reference_;
   PointIndex index_;
-  std::vector<std::optional<Surface>> surfaces_;
+  std::vector<std::optional<Partner>> partners_;
   std::vector<PointIndex::Neighbour> neighbours_;  // kept, so as not to allocate for each point
 };
 
