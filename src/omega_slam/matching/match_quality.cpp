@@ -13,19 +13,10 @@ namespace {
 
 constexpr double kPriorTranslation = 1.0;  // [m] deviation along directions that nothing determines
 constexpr double kPriorRotation = 0.5;     // [rad]
-constexpr double kFloorTranslation = 0.01;    // [m]
-constexpr double kFloorRotation = 0.003;      // [rad]
-constexpr double kDegenerateDeviation = 0.3;  // [m], [rad] a direction known no better is open
+constexpr double kFloorTranslation = 0.005;  // [m]
+constexpr double kFloorRotation = 0.002;     // [rad]
 
-/// Information that the distance to a surface gives on the place of a point, in units of the
-/// distance's variance: n n^T for the normal n. A normal tilted by noise would pretend to know
-/// something along the wall, by the slope's variance on average; that is taken off.
-Eigen::Matrix2d pointInformation(const Surface& surface) {
-  const Eigen::Vector2d tangent(-surface.normal.y(), surface.normal.x());
-  return surface.normal * surface.normal.transpose() -
-         surface.slope_variance * tangent * tangent.transpose();
-}
-
+/// @param deviation [m] of a range
 Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
   const Eigen::Vector3d prior(1.0 / (kPriorTranslation * kPriorTranslation),
                               1.0 / (kPriorTranslation * kPriorTranslation),
@@ -33,11 +24,15 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
   const Eigen::Vector3d floor(kFloorTranslation * kFloorTranslation,
                               kFloorTranslation * kFloorTranslation,
                               kFloorRotation * kFloorRotation);
-  // What noise took off may leave less than nothing along an open direction.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(evidence.hessian);
+  const double variance = kDistanceVariance * deviation * deviation;
+  // Points farther away than numbers can square say nothing.
+  const bool is_finite = (evidence.hessian / variance).allFinite();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
+      is_finite ? evidence.hessian : Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
+  // Along an open direction doubt may leave less than nothing.
   Eigen::Matrix3d information = axes.eigenvectors() *
                                 axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
-                                axes.eigenvectors().transpose() / (deviation * deviation);
+                                axes.eigenvectors().transpose() / variance;
   information.diagonal() += prior;
   Eigen::Matrix3d covariance = information.inverse();
   covariance = 0.5 * (covariance + covariance.transpose()).eval();
@@ -48,7 +43,7 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
 /// Names the direction that the covariance leaves open, if any.
 void findOpenDirection(MatchResult& result) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(result.covariance);
-  if (std::sqrt(axes.eigenvalues()[2]) > kDegenerateDeviation) {
+  if (std::sqrt(axes.eigenvalues()[2]) > kOpenDeviation) {
     result.failure = MatchFailure::kDegenerate;
     result.open_direction = axes.eigenvectors().col(2);
   }
@@ -62,7 +57,7 @@ void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
   squared_residuals += surface.isLine() ? std::pow(surface.normal.dot(gap), 2) : gap.squaredNorm();
   Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
   jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
-  hessian += jacobian.transpose() * pointInformation(surface) * jacobian;
+  hessian += jacobian.transpose() * surface.certainInformation() * jacobian;
   ++partners;
 }
 

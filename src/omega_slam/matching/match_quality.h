@@ -6,12 +6,18 @@
 
 namespace omega_slam::matching {
 
+/// [m] A direction of (x, y, theta * 1 m) that is known no better than this is open.
+inline constexpr double kOpenDeviation = 0.3;
+
+/// A point and what it lies on are both noisy: variance of their distance in units of a range's.
+inline constexpr double kDistanceVariance = 2.0;
+
 /// What the points of a scan, laid on a reference, say of the pose that laid them there.
 struct MatchEvidence {
   std::size_t points{0};          ///< of the scan
   std::size_t partners{0};        ///< that the reference had for them
   double squared_residuals{0.0};  ///< [m^2] sum over the partners
-  /// Information on (x, y, theta) in units of a distance's variance.
+  /// Information on (x, y, theta) to build on, in units of a range's.
   Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};
 
   /// Adds a point that has a partner.
@@ -30,11 +36,15 @@ struct MatchEvidence {
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the
 /// line through that point's neighbours. The covariance is the inverse of the point-to-line
-/// Hessian, over sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
-/// covariance"), simplified: the noise of every point-to-line distance is taken as independent with
-/// the range's deviation or the residual, whichever is larger. A weak prior keeps it finite along
-/// directions that no line determines, where it is large. Points on one wall err together, so a
-/// floor is added that no number of points gets below.
+/// Hessian, times sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
+/// covariance", ICRA), simplified: the error of every distance is taken as independent, with twice
+/// the variance of a range or of the residual, whichever is larger, since both scans are noisy.
+/// Only the part of the Hessian to build on counts: see Surface::certainInformation. A weak prior
+/// keeps the covariance finite along directions that nothing determines, where it is large. Points
+/// on one wall err together, so a floor is added that no number of points gets below.
+///
+/// A direction of (x, y, theta * 1 m) that is known no better than kOpenDeviation is open; of
+/// several, the one known least is named.
 ///
 /// Confidence is overlap * (1 - (residual / outlier_distance)^2).
 ///

@@ -1,6 +1,9 @@
 #include "omega_slam/matching/point_to_line.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "omega_slam/matching/match_quality.h"
 
 namespace omega_slam::matching {
 
@@ -8,55 +11,65 @@ using geometry::Pose2;
 
 namespace {
 
-constexpr double kPriorDeviation = 0.05;  // [m], [rad] of the guess
-constexpr double kCauchy = 2.0;         // in standard deviations of a range: half the weight there
+constexpr double kTolerance = 2.0;      // in standard deviations of a range
 constexpr double kSmallestStep = 1e-5;  // [m], [rad]
+constexpr double kStiffness = 1e4;      // of what holds open directions, over all that pulls
 
-struct NormalEquations {
-  Eigen::Matrix3d matrix{Eigen::Matrix3d::Zero()};
-  Eigen::Vector3d vector{Eigen::Vector3d::Zero()};
-};
+}  // namespace
 
-/// J^T W J and -J^T W r of all distances at a pose, in units of a range's variance.
-NormalEquations linearize(SurfaceModel& reference, const Points& scan, const Pose2& pose,
-                          const PointToLineConfig& config) {
-  const Eigen::Matrix2d rotation = pose.rotation();
-  NormalEquations equations;
+PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
+                               const Pose2& T_reference_scan, const DistanceKernel& kernel) {
+  const Eigen::Matrix2d rotation = T_reference_scan.rotation();
+  const Eigen::Vector2d translation = T_reference_scan.translation();
+  const double variance = kernel.deviation * kernel.deviation;
+  const double squared_tolerance = kernel.tolerance * kernel.tolerance;
+  PointToLineEquations equations;
   for (const Eigen::Vector2d& p_scan : scan) {
     const Eigen::Vector2d arm = rotation * p_scan;
-    const Eigen::Vector2d p_reference = arm + pose.translation();
-    const auto partner = reference.partnerOf(p_reference, config.reach);
-    if (!partner || !partner->surface.isLine()) {
+    const Eigen::Vector2d p_reference = arm + translation;
+    const auto partner = reference.partnerOf(p_reference, kernel.reach);
+    if (!partner) {
       continue;
     }
-    const Eigen::Vector2d& normal = partner->surface.normal;
-    const double distance = normal.dot(p_reference - partner->point) / config.range_noise;
-    const double weight = 1.0 / (1.0 + distance * distance / (kCauchy * kCauchy));
-    const Eigen::Vector3d jacobian =
-        Eigen::Vector3d(normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y()) /
-        config.range_noise;
-    equations.matrix += weight * jacobian * jacobian.transpose();
-    equations.vector -= weight * distance * jacobian;
+    const Eigen::Vector2d gap = p_reference - partner->point;
+    const Eigen::Matrix2d information = partner->surface.information();
+    const double squared_distance = gap.dot(information * gap);
+    const double weight = 1.0 / (1.0 + squared_distance / squared_tolerance) / variance;
+    Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
+    jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
+    const Eigen::Matrix<double, 3, 2> weighted = weight * jacobian.transpose();
+    equations.matrix += weighted * information * jacobian;
+    equations.vector -= weighted * (information * gap);
+    equations.certain += weighted * partner->surface.certainInformation() * jacobian;
   }
   return equations;
 }
 
-}  // namespace
+Eigen::Vector3d stepToLeastSquares(const PointToLineEquations& equations, const Pose2& pose,
+                                   const Pose2& guess) {
+  constexpr double kOpenInformation = kDistanceVariance / (kOpenDeviation * kOpenDeviation);
+  const double stiff = 1.0 + kStiffness * equations.matrix.trace();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(equations.certain);
+  const Eigen::Vector3d way_back(guess.x - pose.x, guess.y - pose.y,
+                                 relativePose(pose, guess).theta);
+  Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (axes.eigenvalues()[i] < kOpenInformation) {
+      hold += stiff * axes.eigenvectors().col(i) * axes.eigenvectors().col(i).transpose();
+    }
+  }
+  const Eigen::Vector3d step =
+      (equations.matrix + hold).ldlt().solve(equations.vector + hold * way_back);
+  return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
 
 Pose2 refinePointToLine(SurfaceModel& reference, const Points& scan, const Pose2& guess,
                         const PointToLineConfig& config) {
-  constexpr double kPrior = 1.0 / (kPriorDeviation * kPriorDeviation);
+  const DistanceKernel kernel{config.reach, config.range_noise, kTolerance * config.range_noise};
   Pose2 pose = guess;
   for (int i = 0; i < config.max_iterations; ++i) {
-    NormalEquations equations = linearize(reference, scan, pose, config);
-    equations.matrix.diagonal().array() += kPrior;
-    equations.vector[0] -= kPrior * (pose.x - guess.x);
-    equations.vector[1] -= kPrior * (pose.y - guess.y);
-    equations.vector[2] -= kPrior * relativePose(guess, pose).theta;
-    const Eigen::Vector3d step = equations.matrix.ldlt().solve(equations.vector);
-    if (!step.allFinite()) {
-      return guess;
-    }
+    const Eigen::Vector3d step =
+        stepToLeastSquares(linearize(reference, scan, pose, kernel), pose, guess);
     pose = Pose2::fromVector(pose.vector() + step);
     if (step.cwiseAbs().maxCoeff() < kSmallestStep) {
       break;

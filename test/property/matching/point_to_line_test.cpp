@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "omega_slam/geometry/angle.h"
 #include "support/poses.h"
 #include "support/room.h"
 #include "support/seeds.h"
@@ -12,6 +13,107 @@ namespace omega_slam::matching {
 namespace {
 
 using geometry::Pose2;
+
+/// Cauchy's cost of all distances, in units of the range's variance.
+double costAt(SurfaceModel& model, const Points& scan, const Pose2& pose,
+              const DistanceKernel& kernel) {
+  const double tolerance = kernel.tolerance * kernel.tolerance;
+  double cost = 0.0;
+  for (const auto& p_scan : scan) {
+    const Eigen::Vector2d place = pose * p_scan;
+    if (const auto partner = model.partnerOf(place, kernel.reach)) {
+      const Eigen::Vector2d gap = place - partner->point;
+      const double squared = partner->surface.isLine()
+                                 ? std::pow(partner->surface.normal.dot(gap), 2)
+                                 : 0.5 * gap.squaredNorm();
+      cost += 0.5 * tolerance * std::log1p(squared / tolerance);
+    }
+  }
+  return cost / (kernel.deviation * kernel.deviation);
+}
+
+/// A corner of a room with two table legs.
+Points smallScene(std::mt19937_64& random) {
+  std::normal_distribution<double> noise(0.0, 0.005);
+  Points points;
+  for (int i = 0; i < 30; ++i) {
+    points.emplace_back(2.0 + noise(random), -1.0 + 0.05 * i);
+  }
+  for (int i = 0; i < 30; ++i) {
+    points.emplace_back(1.4 - 0.05 * i, 0.9 + noise(random));
+  }
+  for (int i = 0; i < 8; ++i) {
+    points.emplace_back(0.5 + noise(random), (i < 4 ? 0.4 : -0.4) + noise(random));
+  }
+  return points;
+}
+
+TEST(PointToLineLaws, GradientAgreesWithDifferencesOfTheCost) {
+  const DistanceKernel kernel{0.3, 0.02, 0.05};
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const Points reference = smallScene(random);
+    const Points scan = smallScene(random);
+    SurfaceModel model(reference);
+    for (int i = 0; i < 20; ++i) {
+      const Pose2 pose = test::randomPose(0.05, 0.05, random);
+      const PointToLineEquations equations = linearize(model, scan, pose, kernel);
+      for (int k = 0; k < 3; ++k) {
+        constexpr double kDelta = 1e-7;
+        const Eigen::Vector3d delta = kDelta * Eigen::Vector3d::Unit(k);
+        const double slope =
+            (costAt(model, scan, Pose2::fromVector(pose.vector() + delta), kernel) -
+             costAt(model, scan, Pose2::fromVector(pose.vector() - delta), kernel)) /
+            (2.0 * kDelta);
+        EXPECT_NEAR(-equations.vector[k], slope, 1e-4 * equations.vector.norm()) << i << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(PointToLineLaws, MatrixAgreesWithDifferencesOfTheDistances) {
+  const DistanceKernel kernel{0.3, 0.02, 1e9};  // all weights are one
+  std::mt19937_64 random(5);
+  const Points reference = smallScene(random);
+  const Points scan = smallScene(random);
+  SurfaceModel model(reference);
+  const Pose2 pose{0.02, -0.03, 0.04};
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+  for (const auto& p_scan : scan) {
+    const auto partner = model.partnerOf(pose * p_scan, kernel.reach);
+    ASSERT_TRUE(partner);
+    Eigen::Matrix<double, 2, 3> slopes;
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kDelta = 1e-6;
+      const Eigen::Vector3d delta = kDelta * Eigen::Vector3d::Unit(k);
+      slopes.col(k) = (Pose2::fromVector(pose.vector() + delta) * p_scan -
+                       Pose2::fromVector(pose.vector() - delta) * p_scan) /
+                      (2.0 * kDelta);
+    }
+    expected += slopes.transpose() * partner->surface.information() * slopes;
+  }
+  expected /= kernel.deviation * kernel.deviation;
+  const Eigen::Matrix3d matrix = linearize(model, scan, pose, kernel).matrix;
+  EXPECT_LT((matrix - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(PointToLineLaws, OpenDirectionLeadsBackToTheGuess) {
+  PointToLineEquations equations;
+  equations.matrix.diagonal() = Eigen::Vector3d(1e3, 1e6, 1e6);
+  equations.vector = {500.0, 2e4, 1e4};
+  equations.certain = equations.matrix;
+  const Pose2 pose{1.0, 2.0, 3.1};
+  const Pose2 guess{1.3, 2.5, -3.1};
+  const Eigen::Vector3d free = stepToLeastSquares(equations, pose, guess);
+  EXPECT_LT((free - Eigen::Vector3d(0.5, 0.02, 0.01)).norm(), 1e-9);
+  equations.certain(0, 0) = -1e5;
+  const Eigen::Vector3d held = stepToLeastSquares(equations, pose, guess);
+  EXPECT_LT((held - Eigen::Vector3d(0.3, 0.02, 0.01)).norm(), 1e-4);
+  equations.certain.setZero();
+  const Eigen::Vector3d all_held = stepToLeastSquares(equations, pose, guess);
+  EXPECT_LT((all_held - Eigen::Vector3d(0.3, 0.5, 2.0 * geometry::kPi - 6.2)).norm(), 1e-3);
+}
 
 TEST(PointToLineLaws, ReachesTheTruthThatPointsAloneMiss) {
   for (const auto seed : test::seeds()) {
