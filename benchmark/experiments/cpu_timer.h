@@ -1,0 +1,22 @@
+#pragma once
+
+#include <ctime>
+
+namespace omega_slam::experiments {
+
+/// Time that this thread has spent on a processor [s]: what others do on the machine counts little.
+class CpuTimer {
+ public:
+  [[nodiscard]] double seconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  double start_{now()};
+};
+
+}  // namespace omega_slam::experiments

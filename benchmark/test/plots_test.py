@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""What the plots and the page of the experiments are made of."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'plots'))
+
+from figures import localMinima  # noqa: E402  (the path comes first)
+from page import fillPage, nearest, percent, stretchAbove  # noqa: E402
+from tables import Results, byMatcher, inOrder  # noqa: E402
+
+
+def rowsOf(*quotients):
+    return [{'level': 0.1 * k, 'q': q} for k, q in enumerate(quotients, start=1)]
+
+
+class Valleys(unittest.TestCase):
+    def testOneThatIsDeepEnough(self):
+        self.assertEqual(localMinima([3, 2, 1, 2, 3], 0.5), [2])
+
+    def testShallowOnesAreNoise(self):
+        self.assertEqual(localMinima([1, 0.9, 1, 0.9, 1, 0, 1], 0.5), [5])
+        self.assertEqual(len(localMinima([1, 0.9, 1, 0.9, 1, 0, 1], 0.05)), 3)
+
+    def testSlopesAndPlainsHaveNone(self):
+        for values in ([1, 2, 3], [3, 2, 1], [2, 2, 2]):
+            self.assertEqual(localMinima(values, 0.5), [])
+
+
+class Page(unittest.TestCase):
+    PAGE = 'Words.\n<!-- begin a -->\nold\n<!-- end a -->\n<!-- begin b -->\nkept\n<!-- end b -->\n'
+
+    def testTakesTables(self):
+        filled = fillPage(self.PAGE, {'a': '| new |\n'})
+        self.assertEqual(filled, self.PAGE.replace('old', '| new |'))
+
+    def testTakesThemAgain(self):
+        filled = fillPage(self.PAGE, {'a': 'x\n', 'b': 'y\n'})
+        self.assertEqual(fillPage(filled, {'a': 'old\n', 'b': 'kept\n'}), self.PAGE)
+
+    def testStretchIsTheLongest(self):
+        rows = rowsOf(0.96, 0.5, 0.95, 0.97, 0.99, 0.2)
+        self.assertEqual(stretchAbove(rows, 'q', 0.95), '0.30 to 0.50')
+        self.assertEqual(stretchAbove(rows[2:4], 'q', 0.95), '0.30 to 0.40')
+        self.assertEqual(stretchAbove(rows, 'q', 0.999), 'nowhere')
+
+    def testNearestLevel(self):
+        self.assertEqual(nearest(rowsOf(1, 2, 3), 0.22)['q'], 2)
+
+    def testPercent(self):
+        self.assertEqual(percent(0.98765), '98.8 %')
+
+
+class Tables(unittest.TestCase):
+    def testAreFoundByTheirNames(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = Results(pathlib.Path(folder))
+            for name in ('errors_swarmlab', 'errors_lab', 'places_lab_rotation'):
+                (results.folder / f'{name}.csv').write_text('a,b\n1.5,x\n')
+            self.assertEqual(results.worlds('errors'), ['lab', 'swarmlab'])
+            self.assertEqual(results.worlds('places'), ['lab'])
+            self.assertEqual(results.table('errors', 'lab'), [{'a': 1.5, 'b': 'x'}])
+            self.assertTrue(results.has('places', 'lab', 'rotation'))
+            self.assertFalse(results.has('places', 'lab'))
+
+    def testMatchersComeInTheOrderOfThePaper(self):
+        self.assertEqual(inOrder(['new', 'icp', 'hill_climbing']), ['hill_climbing', 'icp', 'new'])
+        rows = [{'matcher': 'icp', 'x': 1}, {'matcher': 'particles'}, {'matcher': 'icp', 'x': 2}]
+        self.assertEqual(list(byMatcher(rows)), ['particles', 'icp'])
+        self.assertEqual([row['x'] for row in byMatcher(rows)['icp']], [1, 2])
+
+
+if __name__ == '__main__':
+    unittest.main()
