@@ -1,4 +1,4 @@
-# Shared by scripts/demo and scripts/test. Sourced by bash with `set -euo pipefail`.
+# Shared by scripts/demo, scripts/test and scripts/experiments. Sourced by bash with `set -euo pipefail`.
 # Sets OMEGA_SLAM_ROOT (the package) and LOG_DIR, and an environment that a pyenv, a conda or another
 # workspace of the caller can't disturb.
 
