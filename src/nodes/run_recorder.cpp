@@ -97,7 +97,7 @@ class RunRecorder {
 };
 
 RunRecorder::RunRecorder(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
-    : config_(loadConfig<RunRecorderConfig>(private_nh)),
+    : config_(loadConfig<RunRecorderConfig>(private_nh, ros::console::levels::Debug)),
       end_(config_.end),
       status_line_(isatty(STDOUT_FILENO) == 1, config_.status_interval) {
   if (!config_.world.empty()) {
