@@ -60,11 +60,18 @@ void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
   reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
 }
 
+void read(ParameterReader reader, matching::PointToLineMatcherConfig& config) {
+  reader.read("max_iterations", config.max_iterations, kCount);
+  reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
+  reader.read("guess_deviation", config.guess_deviation, kPositiveLength);
+}
+
 /// Among the keys of the node itself: which matcher, and a group for each.
 void read(ParameterReader& reader, matching::MatcherConfig& config) {
   reader.read("matcher", config.matcher, matching::matcherNames());
   read(reader.group("match"), config.match);
   read(reader.group("icp"), config.icp);
+  read(reader.group("point_to_line"), config.point_to_line);
 }
 
 void read(ParameterReader reader, slam::LoopCloserConfig& config) {

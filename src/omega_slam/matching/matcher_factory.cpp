@@ -14,7 +14,11 @@ MatcherPtr makeIcp(const MatcherConfig& config) {
   return std::make_unique<IcpMatcher>(config.icp, config.match);
 }
 
-const std::map<std::string, Maker> kMakers{{"icp", makeIcp}};
+MatcherPtr makePointToLine(const MatcherConfig& config) {
+  return std::make_unique<PointToLineMatcher>(config.point_to_line, config.match);
+}
+
+const std::map<std::string, Maker> kMakers{{"icp", makeIcp}, {"point_to_line", makePointToLine}};
 
 }  // namespace
 
@@ -22,6 +26,7 @@ std::vector<std::string> MatcherConfig::validate() const {
   geometry::Violations violations;
   violations.include("match", match.validate());
   violations.include("icp", icp.validate());
+  violations.include("point_to_line", point_to_line.validate());
   std::vector<std::string> sentences = violations.sentences();
   if (kMakers.count(matcher) == 0) {
     sentences.push_back("matcher is \"" + matcher + "\", but there is none of that name.");

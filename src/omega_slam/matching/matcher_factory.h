@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/matching/scan_matcher.h"
 
 namespace omega_slam::matching {
@@ -14,6 +15,7 @@ struct MatcherConfig {
   std::string matcher{"icp"};  ///< one of matcherNames()
   MatchConfig match;           ///< of all
   IcpMatcherConfig icp;
+  PointToLineMatcherConfig point_to_line;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };

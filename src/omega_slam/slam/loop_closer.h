@@ -6,7 +6,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/matching/coarse_search.h"
-#include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/slam/keyframe.h"
 
 namespace omega_slam::slam {
@@ -49,7 +49,7 @@ class LoopCloser {
                                                  const std::vector<geometry::Pose2>& poses) const;
 
   LoopCloserConfig config_;
-  matching::IcpMatcher matcher_;
+  matching::PointToLineMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;
 };
 
