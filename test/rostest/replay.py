@@ -16,9 +16,10 @@ import rostest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import replay_support  # noqa: E402  (it lies beside this file, wherever that is)
 
-# Mean + 4 sigma of 12 runs of scripts/replay_bounds, rounded up (2 processors shared with compilers).
-BOUNDS = replay_support.Difference(mean_distance=0.0105, max_distance=0.032, mean_turn=0.0020,
-                                   map_mismatch=0.035, map_area=0.022)
+# About twice the largest of the runs in docs/demo.md: a loop found later on a busy machine is rare, but
+# then makes a difference that mean and deviation of few runs do not foresee.
+BOUNDS = replay_support.Difference(mean_distance=0.035, max_distance=0.08, mean_turn=0.009,
+                                   map_mismatch=0.05, map_area=0.03)
 
 class ReplayTest(unittest.TestCase):
 
