@@ -15,4 +15,8 @@ if(SANITIZE)
     $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>>
     $<BUILD_INTERFACE:-fsanitize=${sanitizers};-fno-omit-frame-pointer;-fno-sanitize-recover=all>)
   target_link_options(omega_slam_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${sanitizers}>)
+  # Under AddressSanitizer, Eigen aligns memory by hand, and would free what PCL's library, built
+  # without, has allocated.
+  target_compile_definitions(omega_slam_options INTERFACE
+    $<BUILD_INTERFACE:EIGEN_MALLOC_ALREADY_ALIGNED=1>)
 endif()
