@@ -126,6 +126,13 @@ class MapBuilderTest(NodeTest):
         self.assertTrue(answer.success, answer.message)
         self.mapOf(3)
 
+    def testAnEmptyMapTakesNoTurn(self):
+        self.start({'update_interval': 3600.0})
+        self.keyframes.publish(roomKeyframe(RUN, 0, 0, PATH[0]))
+        self.waitForDiagnostic('map_builder: health', 'keyframes', 1)
+        self.graphs.publish(poseGraph(RUN, PATH[:1]))
+        self.mapOf(1)
+
     def testSavingAnswersTruthfully(self):
         stem = self.folder() / 'deep' / 'floor'
         self.start({'save_stem': str(stem)})

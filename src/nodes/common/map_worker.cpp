@@ -82,7 +82,10 @@ bool MapWorker::take(std::vector<PlacedKeyframe>& keyframes, std::uint64_t& vers
   is_urgent_ = false;
   keyframes = keyframes_;
   version = version_;
-  next_turn_ = Clock::now() + interval_;
+  if (!keyframes
+           .empty()) {  // an empty map is not published, and must not hold up the first real one
+    next_turn_ = Clock::now() + interval_;
+  }
   return !is_stopped_;
 }
 
