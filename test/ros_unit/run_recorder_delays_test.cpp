@@ -43,18 +43,5 @@ TEST(RunDelaysTest, AnEndWithoutABeginningIsNoDelay) {
   EXPECT_TRUE(delays.summarize().empty());
 }
 
-TEST(RunDelaysTest, WhatIsReadBeforeWhatItFollowsFromTookNoTime) {
-  RunDelays delays;
-  delays.begin(kStep, 1, 100.0);
-  delays.end(kStep, 3, 100.2);
-  delays.begin(kStep, 2, 100.3);
-  delays.begin(kStep, 3, 100.4);
-  delays.begin(kStep, 4, 100.5);
-  const auto figures = delays.summarize();
-  ASSERT_EQ(figures.size(), 1U);
-  EXPECT_EQ(figures[0].count, 1U);
-  EXPECT_EQ(figures[0].max, 0.0);
-}
-
 }  // namespace
 }  // namespace omega_slam

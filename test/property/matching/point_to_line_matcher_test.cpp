@@ -69,6 +69,27 @@ TEST(PointToLineMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
   }
 }
 
+/// From one place, with guesses farther off than partners may be in the end.
+TEST(PointToLineMatcherLaws, FirstReachFindsTheWayFromFar) {
+  const PointToLineMatcher matcher;
+  int found = 0;
+  int all = 0;
+  for (const auto seed : test::seeds()) {
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 20; ++i) {
+      const Pose2 place = test::randomPose(0.8, 3.1, random);
+      const View reference = look(test::furnishedRoom(), place, 360, 0.01, random);
+      const View scan = look(test::furnishedRoom(), place, 360, 0.01, random);
+      const Pose2 guess = test::randomPose(0.25, 0.15, random);
+      const auto gap =
+          test::gapBetween(matcher.match({reference}, scan, guess).T_reference_scan, {});
+      found += gap.translation < 0.02 && gap.rotation < 0.01 ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GE(found, 95 * all / 100) << found << " of " << all;
+}
+
 TEST(PointToLineMatcherLaws, ReferenceMayBeSeveralViews) {
   const PointToLineMatcher matcher;
   std::mt19937_64 random(6);

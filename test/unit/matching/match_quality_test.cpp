@@ -28,6 +28,15 @@ TEST(MatchQuality, PerfectMatchIsConfidentAndTight) {
   EXPECT_EQ(result.failure, MatchFailure::kNone);
 }
 
+TEST(MatchQuality, NoNumberOfPointsMakesItExact) {
+  std::mt19937_64 random(1);
+  const Points scan = test::measurePoints(test::furnishedRoom(), {}, 5000, 0.0, random);
+  const MatchResult result = judge(scan, scan, {});
+  EXPECT_GT(std::sqrt(result.covariance(0, 0)), 0.004);
+  EXPECT_GT(std::sqrt(result.covariance(1, 1)), 0.004);
+  EXPECT_GT(std::sqrt(result.covariance(2, 2)), 0.0015);
+}
+
 TEST(MatchQuality, WrongPoseIsLessConfident) {
   std::mt19937_64 random(1);
   const Points scan = test::measurePoints(test::furnishedRoom(), {}, 360, 0.01, random);

@@ -65,6 +65,11 @@ TEST(SurfaceModelTest, SlopeVarianceIsThatOfManyFits) {
   EXPECT_NEAR(variances / squared_slopes, 1.0, 0.1);
 }
 
+TEST(SurfaceModelTest, ThreePointsInLineAreNotTakenForExact) {
+  const Surface surface = partnerAt(wall(0.0, 2.0, 0.2, 3), {0.2, 2.0}).surface;
+  EXPECT_NEAR(surface.slope_variance, 1e-4 / 0.08, 1e-12);
+}
+
 TEST(SurfaceModelTest, JumpOfRangeEndsTheSurface) {
   Points points = wall(-1.0, 1.0, 0.02, 50);
   const Points behind = wall(0.05, 1.4, 0.02, 50);
