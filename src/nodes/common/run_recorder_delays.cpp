@@ -3,22 +3,14 @@
 namespace omega_slam {
 
 void RunDelays::begin(const std::string& step, std::uint64_t stamp, double wall_time) {
-  auto& [begun, early, seconds] = steps_[step];
-  if (early.count(stamp) == 0) {
-    begun.emplace(stamp, wall_time);
-  } else {
-    seconds.push_back(0.0);
-  }
-  early.erase(early.begin(), early.upper_bound(stamp));
+  steps_[step].begun.emplace(stamp, wall_time);
 }
 
 void RunDelays::end(const std::string& step, std::uint64_t stamp, double wall_time) {
-  auto& [begun, early, seconds] = steps_[step];
+  auto& [begun, seconds] = steps_[step];
   const auto found = begun.find(stamp);
   if (found != begun.end()) {
     seconds.push_back(wall_time - found->second);
-  } else {
-    early.insert(stamp);
   }
   begun.erase(begun.begin(), begun.upper_bound(stamp));
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@ namespace omega_slam {
 
 /// How long the steps of the chain take in real time, seen from outside: from the moment that one
 /// message arrives to the moment that its successor does. Stamps tell which belongs to which.
-/// Topics have connections of their own, so that a successor may be read first: no time has passed.
 class RunDelays {
  public:
   /// A message has come that something will follow from. Only the first with a stamp counts.
@@ -29,7 +27,6 @@ class RunDelays {
  private:
   struct Step {
     std::map<std::uint64_t, double> begun;  ///< wall time [s] by stamp
-    std::set<std::uint64_t> early;          ///< stamps of what ended without having begun, as yet
     std::vector<double> seconds;            ///< [s] of what is finished
   };
   std::map<std::string, Step> steps_;
