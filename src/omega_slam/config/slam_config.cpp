@@ -55,6 +55,30 @@ void read(ParameterReader reader, matching::MatchConfig& config) {
   reader.read("range_noise", config.range_noise, {0.0001, 10.0});
 }
 
+void read(ParameterReader reader, matching::HillClimbingConfig& config) {
+  reader.read("direction_step", config.direction_step, {0.001, 3.15});
+  reader.read("distance_step", config.distance_step, kPositiveLength);
+  reader.read("rotation_step", config.rotation_step, {0.001, 3.15});
+  reader.read("distance_reach", config.distance_reach, kLength);
+  reader.read("rotation_reach", config.rotation_reach, {0.0, 3.15});
+  reader.read("shrink", config.shrink, {0.01, 1.0});
+  reader.read("rounds", config.rounds, kCount);
+  reader.read("error_cap", config.error_cap, kPositiveLength);
+}
+
+void read(ParameterReader reader, matching::ParticleConfig& config) {
+  reader.read("particles", config.particles, {2.0, 100000.0});
+  reader.read("rounds", config.rounds, kCount);
+  reader.read("translation_deviation", config.translation_deviation, kPositiveLength);
+  reader.read("rotation_deviation", config.rotation_deviation, {0.001, 3.15});
+  reader.read("shrink", config.shrink, {0.01, 1.0});
+  reader.read("space", config.space, matching::particleSpaces());
+  reader.read("seed", config.seed, {0.0});
+  reader.read("near_range", config.near_range, kLength);
+  reader.read("max_near_share", config.max_near_share, kShare);
+  reader.read("error_cap", config.error_cap, kPositiveLength);
+}
+
 void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
   reader.read("max_iterations", config.max_iterations, kPositiveCount);
   reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
@@ -70,7 +94,9 @@ void read(ParameterReader reader, matching::PointToLineMatcherConfig& config) {
 void read(ParameterReader& reader, matching::MatcherConfig& config) {
   reader.read("matcher", config.matcher, matching::matcherNames());
   read(reader.group("match"), config.match);
+  read(reader.group("hill_climbing"), config.hill_climbing);
   read(reader.group("icp"), config.icp);
+  read(reader.group("particles"), config.particles);
   read(reader.group("point_to_line"), config.point_to_line);
 }
 

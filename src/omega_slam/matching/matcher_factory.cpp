@@ -10,22 +10,35 @@ namespace {
 using MatcherPtr = std::unique_ptr<const ScanMatcher>;
 using Maker = MatcherPtr (*)(const MatcherConfig&);
 
+MatcherPtr makeHillClimbing(const MatcherConfig& config) {
+  return std::make_unique<HillClimbingMatcher>(config.hill_climbing, config.match);
+}
+
 MatcherPtr makeIcp(const MatcherConfig& config) {
   return std::make_unique<IcpMatcher>(config.icp, config.match);
+}
+
+MatcherPtr makeParticles(const MatcherConfig& config) {
+  return std::make_unique<ParticleMatcher>(config.particles, config.match);
 }
 
 MatcherPtr makePointToLine(const MatcherConfig& config) {
   return std::make_unique<PointToLineMatcher>(config.point_to_line, config.match);
 }
 
-const std::map<std::string, Maker> kMakers{{"icp", makeIcp}, {"point_to_line", makePointToLine}};
+const std::map<std::string, Maker> kMakers{{"hill_climbing", makeHillClimbing},
+                                           {"icp", makeIcp},
+                                           {"particles", makeParticles},
+                                           {"point_to_line", makePointToLine}};
 
 }  // namespace
 
 std::vector<std::string> MatcherConfig::validate() const {
   geometry::Violations violations;
   violations.include("match", match.validate());
+  violations.include("hill_climbing", hill_climbing.validate());
   violations.include("icp", icp.validate());
+  violations.include("particles", particles.validate());
   violations.include("point_to_line", point_to_line.validate());
   std::vector<std::string> sentences = violations.sentences();
   if (kMakers.count(matcher) == 0) {

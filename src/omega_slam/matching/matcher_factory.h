@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "omega_slam/matching/hill_climbing_matcher.h"
 #include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/particle_matcher.h"
 #include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/matching/scan_matcher.h"
 
@@ -14,7 +16,9 @@ namespace omega_slam::matching {
 struct MatcherConfig {
   std::string matcher{"icp"};  ///< one of matcherNames()
   MatchConfig match;           ///< of all
+  HillClimbingConfig hill_climbing;
   IcpMatcherConfig icp;
+  ParticleConfig particles;
   PointToLineMatcherConfig point_to_line;
 
   [[nodiscard]] std::vector<std::string> validate() const;
