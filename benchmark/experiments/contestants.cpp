@@ -12,6 +12,15 @@ matching::MatcherConfig configFor(const std::string& matcher, const Tolerance& g
   // ICP pairs points so far apart at first: less than the noise, and most have no partner.
   config.icp.max_correspondence_distance =
       std::max(config.icp.max_correspondence_distance, guess_error.translation);
+  // Hill climbing looks so far to each side, and nine in ten particles begin so near.
+  config.hill_climbing.distance_reach =
+      std::max(config.hill_climbing.distance_reach, guess_error.translation);
+  config.hill_climbing.rotation_reach =
+      std::max(config.hill_climbing.rotation_reach, guess_error.rotation);
+  config.particles.translation_deviation =
+      std::max(config.particles.translation_deviation, 0.5 * guess_error.translation);
+  config.particles.rotation_deviation =
+      std::max(config.particles.rotation_deviation, 0.5 * guess_error.rotation);
   return config;
 }
 
