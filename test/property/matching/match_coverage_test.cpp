@@ -9,6 +9,7 @@
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/map_matcher.h"
 #include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/simulation/hokuyo.h"
 #include "omega_slam/simulation/world_file.h"
@@ -114,6 +115,9 @@ void expectHonest(const Tally& tally) {
 
 /// With 40 seeds, 5 of 1574 trusted matches were outside, and the squares had a mean of 0.86.
 TEST(MatchCoverage, PointToLine) { expectHonest(matchPairs(PointToLineMatcher(), 20)); }
+
+/// With 40 seeds, 9 of 1543 trusted matches were outside, and the squares had a mean of 0.81.
+TEST(MatchCoverage, ScanToMap) { expectHonest(matchPairs(MapMatcher(), 20)); }
 
 /// With 40 seeds, 3 of 471 trusted matches were outside, and the squares had a mean of 0.99.
 TEST(MatchCoverage, Icp) { expectHonest(matchPairs(IcpMatcher(), 6)); }
