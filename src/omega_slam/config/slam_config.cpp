@@ -90,6 +90,13 @@ void read(ParameterReader reader, matching::PointToLineMatcherConfig& config) {
   reader.read("guess_deviation", config.guess_deviation, kPositiveLength);
 }
 
+void read(ParameterReader reader, matching::MapMatcherConfig& config) {
+  reader.read("resolution", config.map.resolution, {0.005, 1.0});
+  reader.read("levels", config.map.levels, {1.0, 8.0});
+  reader.read("reach", config.map.reach, {1.0, 100.0});
+  reader.read("max_iterations", config.max_iterations, kCount);
+}
+
 /// Among the keys of the node itself: which matcher, and a group for each.
 void read(ParameterReader& reader, matching::MatcherConfig& config) {
   reader.read("matcher", config.matcher, matching::matcherNames());
@@ -98,6 +105,7 @@ void read(ParameterReader& reader, matching::MatcherConfig& config) {
   read(reader.group("icp"), config.icp);
   read(reader.group("particles"), config.particles);
   read(reader.group("point_to_line"), config.point_to_line);
+  read(reader.group("scan_to_map"), config.scan_to_map);
 }
 
 void read(ParameterReader reader, slam::LoopCloserConfig& config) {

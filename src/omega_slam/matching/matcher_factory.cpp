@@ -26,10 +26,15 @@ MatcherPtr makePointToLine(const MatcherConfig& config) {
   return std::make_unique<PointToLineMatcher>(config.point_to_line, config.match);
 }
 
+MatcherPtr makeScanToMap(const MatcherConfig& config) {
+  return std::make_unique<MapMatcher>(config.scan_to_map, config.match);
+}
+
 const std::map<std::string, Maker> kMakers{{"hill_climbing", makeHillClimbing},
                                            {"icp", makeIcp},
                                            {"particles", makeParticles},
-                                           {"point_to_line", makePointToLine}};
+                                           {"point_to_line", makePointToLine},
+                                           {"scan_to_map", makeScanToMap}};
 
 }  // namespace
 
@@ -40,6 +45,7 @@ std::vector<std::string> MatcherConfig::validate() const {
   violations.include("icp", icp.validate());
   violations.include("particles", particles.validate());
   violations.include("point_to_line", point_to_line.validate());
+  violations.include("scan_to_map", scan_to_map.validate());
   std::vector<std::string> sentences = violations.sentences();
   if (kMakers.count(matcher) == 0) {
     sentences.push_back("matcher is \"" + matcher + "\", but there is none of that name.");

@@ -6,6 +6,7 @@
 
 #include "omega_slam/matching/hill_climbing_matcher.h"
 #include "omega_slam/matching/icp_matcher.h"
+#include "omega_slam/matching/map_matcher.h"
 #include "omega_slam/matching/particle_matcher.h"
 #include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/matching/scan_matcher.h"
@@ -20,6 +21,7 @@ struct MatcherConfig {
   IcpMatcherConfig icp;
   ParticleConfig particles;
   PointToLineMatcherConfig point_to_line;
+  MapMatcherConfig scan_to_map;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };

@@ -31,7 +31,7 @@ TEST(MatcherFactory, EveryNameMakesAMatcherThatMatches) {
 }
 
 TEST(MatcherFactory, NamesAreTheOnesThatConfigurationsUse) {
-  for (const auto* name : {"hill_climbing", "icp", "particles", "point_to_line"}) {
+  for (const auto* name : {"hill_climbing", "icp", "particles", "point_to_line", "scan_to_map"}) {
     EXPECT_THAT(matcherNames(), Contains(name));
   }
 }
@@ -59,6 +59,7 @@ TEST(MatcherFactory, FaultsOfEveryGroupAreFound) {
   config.icp.max_correspondence_distance = -1.0;
   config.particles.space = "polar";
   config.point_to_line.max_iterations = -1;
+  config.scan_to_map.map.levels = 0;
   const auto sentences = config.validate();
   EXPECT_THAT(sentences, Contains(HasSubstr("\"icq\"")));
   EXPECT_THAT(sentences, Contains(HasSubstr("match/min_returns")));
@@ -66,6 +67,7 @@ TEST(MatcherFactory, FaultsOfEveryGroupAreFound) {
   EXPECT_THAT(sentences, Contains(HasSubstr("icp/max_correspondence_distance")));
   EXPECT_THAT(sentences, Contains(HasSubstr("particles/space")));
   EXPECT_THAT(sentences, Contains(HasSubstr("point_to_line/max_iterations")));
+  EXPECT_THAT(sentences, Contains(HasSubstr("scan_to_map/map/levels")));
   EXPECT_THROW((void)makeMatcher(config), std::invalid_argument);
 }
 
