@@ -15,8 +15,16 @@ namespace {
 
 constexpr double kStep = 0.5;  // [m], [rad]
 constexpr double kTurnAnyway = 0.2;
+constexpr int kScansPerStep = 10;         // of a drive
+constexpr double kOverstatedWay = 1.03;   // by a drive's odometry
+constexpr double kOverstatedTurn = 1.05;  // likewise
 constexpr std::uint32_t kStrollStream = 4;
 constexpr double kRecordedDeviation = 0.02;  // [m] of a SICK's range
+
+/// What the odometry of a drive takes a way for.
+Pose2 overstated(const Pose2& way) {
+  return {kOverstatedWay * way.x, kOverstatedWay * way.y, kOverstatedTurn * way.theta};
+}
 
 bool hasRoom(const Arena& arena, const Pose2& from, const Pose2& to) {
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
@@ -86,6 +94,41 @@ KeyPairs recordedPairs(const std::filesystem::path& log, std::size_t most_scans)
     }
   }
   return found;
+}
+
+Drive strollDrive(const Arena& arena, std::size_t most_scans, std::uint32_t seed) {
+  auto random = generatorFor({seed, kStrollStream});
+  Drive drive;
+  Pose2 from = drawFreePose(arena, random);
+  Pose2 T_odom_from;
+  while (drive.views.size() < most_scans) {
+    const Pose2 to = strollOn(arena, from, random);
+    for (int k = 0; k < kScansPerStep && drive.views.size() < most_scans; ++k) {
+      const Pose2 place = interpolate(from, to, static_cast<double>(k) / kScansPerStep);
+      drive.views.push_back(takeScan(arena, place, random));
+      drive.T_odom_base.push_back(T_odom_from * overstated(relativePose(from, place)));
+    }
+    T_odom_from = T_odom_from * overstated(relativePose(from, to));
+    from = to;
+  }
+  return drive;
+}
+
+Drive recordedDrive(const std::filesystem::path& log, std::size_t most_scans) {
+  io::CarmenSource source(log, {});
+  const sensing::ScanIntake intake{{}};
+  Drive drive;
+  while (drive.views.size() < most_scans) {
+    const auto record = source.next();
+    if (!record) {
+      break;
+    }
+    if (const auto sweep = intake.process(record->scan, record->mount).sweep) {
+      drive.views.push_back(slam::viewOf(*sweep));
+      drive.T_odom_base.push_back(record->T_odom_base);
+    }
+  }
+  return drive;
 }
 
 }  // namespace omega_slam::experiments

@@ -28,4 +28,18 @@ struct KeyPairs {
     const std::filesystem::path& log,
     std::size_t most_scans = std::numeric_limits<std::size_t>::max());
 
+/// All scans of a drive, and the odometry.
+struct Drive {
+  std::vector<matching::View> views;
+  std::vector<geometry::Pose2> T_odom_base;  ///< as many
+};
+
+/// The stroll of strollPairs, with a scan every 5 cm or 0.05 rad, and odometry that overstates ways
+/// by 3 % and turns by 5 %.
+[[nodiscard]] Drive strollDrive(const Arena& arena, std::size_t most_scans, std::uint32_t seed);
+
+/// @param most_scans of the log are read
+/// @throws std::runtime_error if the log can't be read
+[[nodiscard]] Drive recordedDrive(const std::filesystem::path& log, std::size_t most_scans);
+
 }  // namespace omega_slam::experiments
