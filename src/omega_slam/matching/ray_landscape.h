@@ -22,6 +22,10 @@ class RayLandscape {
 
   /// Judges the pose that a search has ended at; kNotConverged if nothing worse is to be said. A
   /// pose that is not finite is refused.
+  ///
+  /// To the covariance of judgeMatch, which takes the pose for the best one around, is added d d^T
+  /// for the step d of a point-to-line match that would begin there. The rays' error is least at
+  /// the best pose, but a search that takes one variable at a time may well end beside it.
   [[nodiscard]] MatchResult judge(const geometry::Pose2& T_reference_scan, bool converged,
                                   const MatchConfig& config) const;
 

@@ -41,6 +41,17 @@ TEST(RayLandscapeTest, SaysWhetherASearchHasConverged) {
       << "the worse failure counts";
 }
 
+TEST(RayLandscapeTest, PoseBesideTheBestIsDoubted) {
+  const Reference reference{noisyRoom()};
+  const View scan = noisyRoom();
+  const RayLandscape landscape(reference, scan, kCap);
+  const Eigen::Matrix3d at_best = landscape.judge({}, true, {}).covariance;
+  EXPECT_LT(std::sqrt(at_best(0, 0)), 0.01);
+  const Eigen::Matrix3d beside = landscape.judge({0.06, 0.0, 0.0}, true, {}).covariance;
+  EXPECT_NEAR(std::sqrt(beside(0, 0)), 0.06, 0.015);
+  EXPECT_LT(std::sqrt(beside(1, 1)), 0.02);
+}
+
 TEST(RayLandscapeTest, PoseThatIsNotFiniteIsRefused) {
   const Reference reference{noisyRoom()};
   const View scan = noisyRoom();
