@@ -17,30 +17,32 @@ constexpr double kStiffness = 1e4;      // of what holds open directions, over a
 
 }  // namespace
 
+void PointToLineEquations::add(const Surface& surface, const Eigen::Vector2d& gap,
+                               const Eigen::Vector2d& arm, const DistanceKernel& kernel) {
+  const Eigen::Matrix2d information = surface.information();
+  const double squared_tolerance = kernel.tolerance * kernel.tolerance;
+  const double squared_distance = gap.dot(information * gap);
+  const double weight =
+      1.0 / (1.0 + squared_distance / squared_tolerance) / (kernel.deviation * kernel.deviation);
+  Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
+  jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
+  const Eigen::Matrix<double, 3, 2> weighted = weight * jacobian.transpose();
+  matrix += weighted * information * jacobian;
+  vector -= weighted * (information * gap);
+  certain += weighted * surface.certainInformation() * jacobian;
+}
+
 PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
                                const Pose2& T_reference_scan, const DistanceKernel& kernel) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   const Eigen::Vector2d translation = T_reference_scan.translation();
-  const double variance = kernel.deviation * kernel.deviation;
-  const double squared_tolerance = kernel.tolerance * kernel.tolerance;
   PointToLineEquations equations;
   for (const Eigen::Vector2d& p_scan : scan) {
     const Eigen::Vector2d arm = rotation * p_scan;
     const Eigen::Vector2d p_reference = arm + translation;
-    const auto partner = reference.partnerOf(p_reference, kernel.reach);
-    if (!partner) {
-      continue;
+    if (const auto partner = reference.partnerOf(p_reference, kernel.reach)) {
+      equations.add(partner->surface, p_reference - partner->point, arm, kernel);
     }
-    const Eigen::Vector2d gap = p_reference - partner->point;
-    const Eigen::Matrix2d information = partner->surface.information();
-    const double squared_distance = gap.dot(information * gap);
-    const double weight = 1.0 / (1.0 + squared_distance / squared_tolerance) / variance;
-    Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
-    jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
-    const Eigen::Matrix<double, 3, 2> weighted = weight * jacobian.transpose();
-    equations.matrix += weighted * information * jacobian;
-    equations.vector -= weighted * (information * gap);
-    equations.certain += weighted * partner->surface.certainInformation() * jacobian;
   }
   return equations;
 }

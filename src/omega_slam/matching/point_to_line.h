@@ -22,11 +22,17 @@ struct PointToLineEquations {
   Eigen::Matrix3d matrix{Eigen::Matrix3d::Zero()};   ///< J^T W J
   Eigen::Vector3d vector{Eigen::Vector3d::Zero()};   ///< -J^T W r
   Eigen::Matrix3d certain{Eigen::Matrix3d::Zero()};  ///< the part of `matrix` to build on
+
+  /// Adds a point by its distance to the line of its partner (the metric of Censi 2008, "An ICP
+  /// variant using a point-to-line metric"), in units of the range's deviation, with Cauchy's
+  /// weight against outliers; where there is no line, by its distance to the partner itself.
+  /// @param gap [m] from the partner to the point
+  /// @param arm [m] from the scan's origin to the point; both in the reference's axes
+  void add(const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm,
+           const DistanceKernel& kernel);
 };
 
-/// Each point counts by its distance to the line of its partner (the metric of Censi 2008, "An ICP
-/// variant using a point-to-line metric"), in units of the range's deviation, with Cauchy's weight
-/// against outliers; where there is no line, by its distance to the partner itself. O(points).
+/// The equations of all points that have a partner within reach. O(points).
 [[nodiscard]] PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
                                              const geometry::Pose2& T_reference_scan,
                                              const DistanceKernel& kernel);
