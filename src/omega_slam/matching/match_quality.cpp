@@ -40,15 +40,6 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
   return covariance;
 }
 
-/// Names the direction that the covariance leaves open, if any.
-void findOpenDirection(MatchResult& result) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(result.covariance);
-  if (std::sqrt(axes.eigenvalues()[2]) > kOpenDeviation) {
-    result.failure = MatchFailure::kDegenerate;
-    result.open_direction = axes.eigenvectors().col(2);
-  }
-}
-
 }  // namespace
 
 void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
@@ -59,6 +50,14 @@ void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
   jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
   hessian += jacobian.transpose() * surface.certainInformation() * jacobian;
   ++partners;
+}
+
+void nameOpenDirection(MatchResult& result) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(result.covariance);
+  if (std::sqrt(axes.eigenvalues()[2]) > kOpenDeviation) {
+    result.failure = MatchFailure::kDegenerate;
+    result.open_direction = axes.eigenvectors().col(2);
+  }
 }
 
 MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_reference_scan,
@@ -76,7 +75,7 @@ MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_referenc
   const double misfit = result.residual / config.outlier_distance;
   result.confidence = std::clamp(result.overlap * (1.0 - misfit * misfit), 0.0, 1.0);
   result.covariance = covarianceOf(evidence, std::max(config.range_noise, result.residual));
-  findOpenDirection(result);
+  nameOpenDirection(result);
   return result;
 }
 

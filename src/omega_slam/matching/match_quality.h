@@ -32,6 +32,9 @@ struct MatchEvidence {
                                         const geometry::Pose2& T_reference_scan,
                                         const MatchConfig& config);
 
+/// Names the direction that the covariance leaves open, if any, and sets `failure` to kDegenerate.
+void nameOpenDirection(MatchResult& result);
+
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "omega_slam/geometry/angle.h"
+#include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/matching/hill_climbing_matcher.h"
 #include "omega_slam/matching/icp_matcher.h"
 #include "omega_slam/matching/map_matcher.h"
@@ -120,6 +121,8 @@ TEST(MatchCoverage, PointToLine) { expectHonest(matchPairs(PointToLineMatcher(),
 
 /// With 40 seeds, 9 of 1543 trusted matches were outside, and the squares had a mean of 0.81.
 TEST(MatchCoverage, ScanToMap) { expectHonest(matchPairs(MapMatcher(), 20)); }
+
+TEST(MatchCoverage, Correlative) { expectHonest(matchPairs(CorrelativeMatcher(), 10)); }
 
 /// With 40 seeds, 3 of 471 trusted matches were outside, and the squares had a mean of 0.99.
 TEST(MatchCoverage, Icp) { expectHonest(matchPairs(IcpMatcher(), 6)); }
