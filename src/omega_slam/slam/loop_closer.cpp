@@ -24,8 +24,18 @@ std::vector<std::string> LoopCloserConfig::validate() const {
   return violations.sentences();
 }
 
+namespace {
+
+matching::CorrelativeMatcherConfig matcherConfig(const LoopCloserConfig& config) {
+  matching::CorrelativeMatcherConfig matcher;
+  matcher.window = config.window;
+  return matcher;
+}
+
+}  // namespace
+
 LoopCloser::LoopCloser(const LoopCloserConfig& config)
-    : config_(config), matcher_({}, config.match) {
+    : config_(config), matcher_(matcherConfig(config), config.match) {
   geometry::throwIfAny(config_.validate());
 }
 
@@ -42,10 +52,7 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const std::vector<Pose2>& 
   for (const NodeId candidate : candidates(id, poses)) {
     const matching::Reference reference = surroundings(candidate, poses);
     const Pose2 believed = relativePose(poses[candidate], poses[id]);
-    const auto match =
-        matcher_.match(reference, scan,
-                       matching::searchCoarsely(matching::allPoints(reference), scan.points,
-                                                believed, config_.window));
+    const auto match = matcher_.match(reference, scan, believed);
     // A place that leaves a direction open could be any other one along it.
     if (match.confidence >= config_.min_confidence &&
         match.failure != matching::MatchFailure::kDegenerate) {

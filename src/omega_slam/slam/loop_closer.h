@@ -5,8 +5,7 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/pose_graph.h"
-#include "omega_slam/matching/coarse_search.h"
-#include "omega_slam/matching/point_to_line_matcher.h"
+#include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/slam/keyframe.h"
 
 namespace omega_slam::slam {
@@ -16,8 +15,9 @@ struct LoopCloserConfig {
   int min_separation{20};     ///< keyframes between a candidate and the newest
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
-  double min_confidence{0.8};     ///< [0, 1]
-  matching::SearchWindow window;  ///< around where the graph believes the keyframe to be
+  double min_confidence{0.8};  ///< [0, 1]
+  /// Around where the graph believes the keyframe to be.
+  matching::SearchWindow window{1.0, 0.3};
   matching::MatchConfig match;
 
   [[nodiscard]] std::vector<std::string> validate() const;
@@ -49,7 +49,7 @@ class LoopCloser {
                                                  const std::vector<geometry::Pose2>& poses) const;
 
   LoopCloserConfig config_;
-  matching::PointToLineMatcher matcher_;
+  matching::CorrelativeMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "omega_slam/geometry/angle.h"
-#include "omega_slam/matching/coarse_search.h"
+#include "omega_slam/matching/correlative_matcher.h"
 #include "support/poses.h"
 #include "support/room.h"
 #include "support/seeds.h"
@@ -180,20 +180,11 @@ TEST(MapMatcherLaws, RoundRoomIsOpenInItsTurn) {
   EXPECT_LT(result.T_reference_scan.translation().norm(), 0.02);
 }
 
-/// Looks around by brute force.
-class LookAround : public ScanMatcher {
- public:
-  MatchResult match(const Reference& reference, const View& scan,
-                    const Pose2& guess) const override {
-    MatchResult result;
-    result.T_reference_scan = searchCoarsely(allPoints(reference), scan.points, guess, {1.0, 0.6});
-    return result;
-  }
-};
-
 TEST(MapMatcherLaws, LostItIsFoundByTheFallback) {
   const MapMatcher alone;
-  const MapMatcher helped({}, {}, std::make_unique<LookAround>());
+  CorrelativeMatcherConfig wide;
+  wide.window = {1.0, 0.6};
+  const MapMatcher helped({}, {}, std::make_unique<CorrelativeMatcher>(wide));
   int lost = 0;
   int found = 0;
   for (const auto seed : test::seeds()) {
