@@ -55,6 +55,17 @@ void read(ParameterReader reader, matching::MatchConfig& config) {
   reader.read("range_noise", config.range_noise, {0.0001, 10.0});
 }
 
+void read(ParameterReader reader, matching::SearchWindow& window) {
+  reader.read("translation", window.translation, {0.0, 10.0});
+  reader.read("rotation", window.rotation, {0.0, 3.15});
+}
+
+void read(ParameterReader reader, matching::CorrelativeMatcherConfig& config) {
+  read(reader.group("window"), config.window);
+  reader.read("resolution", config.resolution, {0.002, 1.0});
+  reader.read("max_refinements", config.max_refinements, kCount);
+}
+
 void read(ParameterReader reader, matching::HillClimbingConfig& config) {
   reader.read("direction_step", config.direction_step, {0.001, 3.15});
   reader.read("distance_step", config.distance_step, kPositiveLength);
@@ -101,6 +112,7 @@ void read(ParameterReader reader, matching::MapMatcherConfig& config) {
 void read(ParameterReader& reader, matching::MatcherConfig& config) {
   reader.read("matcher", config.matcher, matching::matcherNames());
   read(reader.group("match"), config.match);
+  read(reader.group("correlative"), config.correlative);
   read(reader.group("hill_climbing"), config.hill_climbing);
   read(reader.group("icp"), config.icp);
   read(reader.group("particles"), config.particles);
@@ -114,9 +126,7 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.read("max_candidates", config.max_candidates, kCount);
   reader.read("neighbours", config.neighbours, kCount);
   reader.read("min_confidence", config.min_confidence, kShare);
-  ParameterReader window = reader.group("window");
-  window.read("translation", config.window.translation, {0.0, 10.0});
-  window.read("rotation", config.window.rotation, {0.0, 3.15});
+  read(reader.group("window"), config.window);
   reader.faults(config.validate());
 }
 

@@ -10,6 +10,10 @@ namespace {
 using MatcherPtr = std::unique_ptr<const ScanMatcher>;
 using Maker = MatcherPtr (*)(const MatcherConfig&);
 
+MatcherPtr makeCorrelative(const MatcherConfig& config) {
+  return std::make_unique<CorrelativeMatcher>(config.correlative, config.match);
+}
+
 MatcherPtr makeHillClimbing(const MatcherConfig& config) {
   return std::make_unique<HillClimbingMatcher>(config.hill_climbing, config.match);
 }
@@ -30,7 +34,8 @@ MatcherPtr makeScanToMap(const MatcherConfig& config) {
   return std::make_unique<MapMatcher>(config.scan_to_map, config.match);
 }
 
-const std::map<std::string, Maker> kMakers{{"hill_climbing", makeHillClimbing},
+const std::map<std::string, Maker> kMakers{{"correlative", makeCorrelative},
+                                           {"hill_climbing", makeHillClimbing},
                                            {"icp", makeIcp},
                                            {"particles", makeParticles},
                                            {"point_to_line", makePointToLine},
@@ -41,6 +46,7 @@ const std::map<std::string, Maker> kMakers{{"hill_climbing", makeHillClimbing},
 std::vector<std::string> MatcherConfig::validate() const {
   geometry::Violations violations;
   violations.include("match", match.validate());
+  violations.include("correlative", correlative.validate());
   violations.include("hill_climbing", hill_climbing.validate());
   violations.include("icp", icp.validate());
   violations.include("particles", particles.validate());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/matching/hill_climbing_matcher.h"
 #include "omega_slam/matching/icp_matcher.h"
 #include "omega_slam/matching/map_matcher.h"
@@ -17,6 +18,7 @@ namespace omega_slam::matching {
 struct MatcherConfig {
   std::string matcher{"icp"};  ///< one of matcherNames()
   MatchConfig match;           ///< of all
+  CorrelativeMatcherConfig correlative;
   HillClimbingConfig hill_climbing;
   IcpMatcherConfig icp;
   ParticleConfig particles;

@@ -31,7 +31,8 @@ TEST(MatcherFactory, EveryNameMakesAMatcherThatMatches) {
 }
 
 TEST(MatcherFactory, NamesAreTheOnesThatConfigurationsUse) {
-  for (const auto* name : {"hill_climbing", "icp", "particles", "point_to_line", "scan_to_map"}) {
+  for (const auto* name :
+       {"correlative", "hill_climbing", "icp", "particles", "point_to_line", "scan_to_map"}) {
     EXPECT_THAT(matcherNames(), Contains(name));
   }
 }
@@ -47,6 +48,9 @@ TEST(MatcherFactory, MakesTheOneThatIsNamed) {
   config.matcher = "hill_climbing";
   config.hill_climbing.rounds = 0;  // and this one finds nothing then
   EXPECT_EQ(makeMatcher(config)->match({room}, room, {}).failure, MatchFailure::kNotConverged);
+  config.matcher = "correlative";
+  config.correlative.max_refinements = 0;  // and this one does not refine
+  EXPECT_EQ(makeMatcher(config)->match({room}, room, {}).failure, MatchFailure::kNotConverged);
   config.matcher = "icp";
   EXPECT_EQ(makeMatcher(config)->match({room}, room, {}).failure, MatchFailure::kNone);
 }
@@ -55,6 +59,7 @@ TEST(MatcherFactory, FaultsOfEveryGroupAreFound) {
   MatcherConfig config;
   config.matcher = "icq";
   config.match.min_returns = 0;
+  config.correlative.resolution = 0.0;
   config.hill_climbing.rounds = -1;
   config.icp.max_correspondence_distance = -1.0;
   config.particles.space = "polar";
@@ -63,6 +68,7 @@ TEST(MatcherFactory, FaultsOfEveryGroupAreFound) {
   const auto sentences = config.validate();
   EXPECT_THAT(sentences, Contains(HasSubstr("\"icq\"")));
   EXPECT_THAT(sentences, Contains(HasSubstr("match/min_returns")));
+  EXPECT_THAT(sentences, Contains(HasSubstr("correlative/resolution")));
   EXPECT_THAT(sentences, Contains(HasSubstr("hill_climbing/rounds")));
   EXPECT_THAT(sentences, Contains(HasSubstr("icp/max_correspondence_distance")));
   EXPECT_THAT(sentences, Contains(HasSubstr("particles/space")));
