@@ -21,6 +21,10 @@ matching::MatcherConfig configFor(const std::string& matcher, const Tolerance& g
       std::max(config.particles.translation_deviation, 0.5 * guess_error.translation);
   config.particles.rotation_deviation =
       std::max(config.particles.rotation_deviation, 0.5 * guess_error.rotation);
+  // The correlative matcher looks no farther than its window.
+  matching::SearchWindow& window = config.correlative.window;
+  window.translation = std::max(window.translation, guess_error.translation);
+  window.rotation = std::max(window.rotation, guess_error.rotation);
   return config;
 }
 
