@@ -10,12 +10,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "experiments/contestants.h"
 #include "experiments/key_pairs.h"
 #include "omega_slam/geometry/angle.h"
+#include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/matching/map_matcher.h"
 
 namespace omega_slam::experiments {
@@ -136,7 +138,8 @@ int main(int argc, char** argv) {
   }
   const auto contestants = everybody();
   const auto sources = collectScans();
-  const omega_slam::matching::MapMatcher map_matcher;
+  const omega_slam::matching::MapMatcher map_matcher(
+      {}, {}, std::make_unique<omega_slam::matching::CorrelativeMatcher>());
   for (const auto& source : sources) {
     const Scans& scans = source.second;
     for (const Contestant& contestant : contestants) {
