@@ -106,6 +106,7 @@ void read(ParameterReader reader, matching::MapMatcherConfig& config) {
   reader.read("levels", config.map.levels, {1.0, 8.0});
   reader.read("reach", config.map.reach, {1.0, 100.0});
   reader.read("max_iterations", config.max_iterations, kCount);
+  reader.read("min_confidence", config.min_confidence, kShare);
 }
 
 /// Among the keys of the node itself: which matcher, and a group for each.

@@ -31,7 +31,7 @@ MatcherPtr makePointToLine(const MatcherConfig& config) {
 }
 
 MatcherPtr makeScanToMap(const MatcherConfig& config) {
-  return std::make_unique<MapMatcher>(config.scan_to_map, config.match);
+  return std::make_unique<MapMatcher>(config.scan_to_map, config.match, makeCorrelative(config));
 }
 
 const std::map<std::string, Maker> kMakers{{"correlative", makeCorrelative},

@@ -55,6 +55,20 @@ TEST(MatcherFactory, MakesTheOneThatIsNamed) {
   EXPECT_EQ(makeMatcher(config)->match({room}, room, {}).failure, MatchFailure::kNone);
 }
 
+TEST(MatcherFactory, ScanToMapIsSearchedForWhereItIsLost) {
+  MatcherConfig config;
+  config.matcher = "scan_to_map";
+  config.correlative.window = {1.0, 0.6};
+  std::mt19937_64 random(1);
+  const View room{test::measurePoints(test::furnishedRoom(), {}, 360, 0.01, random)};
+  const Pose2 guess{0.8, -0.5, 0.5};
+  const auto found = makeMatcher(config)->match({room}, room, guess);
+  EXPECT_LT(test::gapBetween(found.T_reference_scan, {}).translation, 0.02);
+  config.scan_to_map.min_confidence = 0.0;  // never lost
+  const auto lost = makeMatcher(config)->match({room}, room, guess);
+  EXPECT_GT(test::gapBetween(lost.T_reference_scan, {}).translation, 0.3);
+}
+
 TEST(MatcherFactory, FaultsOfEveryGroupAreFound) {
   MatcherConfig config;
   config.matcher = "icq";
