@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kTolerance = 2.0;      // in standard deviations of a range
 constexpr double kSmallestStep = 3e-4;  // [m], [rad] well below what a laser tells
+constexpr double kCalming = 0.7;        // of steps, once one takes back the last
 
 /// Calls `visit(surface, gap, arm)` for each return that has a partner: see MatchEvidence::add.
 template <class Visitor>
@@ -32,8 +33,16 @@ Refinement FieldRefinement::refine(const Pose2& start, const Pose2& hold, double
   const DistanceKernel kernel{0.0, range_noise, kTolerance * range_noise};
   Refinement refinement{start, false};
   Pose2& pose = refinement.T_reference_scan;
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
+  double calm = 1.0;
   for (int i = 0; i < max_iterations && !refinement.converged; ++i) {
-    const Eigen::Vector3d step = stepToLeastSquares(linearize(pose, kernel), pose, hold);
+    Eigen::Vector3d step = calm * stepToLeastSquares(linearize(pose, kernel), pose, hold);
+    if (step.dot(last) < 0.0) {
+      // Points that change partners to and fro would have it go on for ever.
+      calm *= kCalming;
+      step *= kCalming;
+    }
+    last = step;
     pose = Pose2::fromVector(pose.vector() + step);
     refinement.converged = step.cwiseAbs().maxCoeff() < kSmallestStep;
   }
