@@ -12,7 +12,7 @@
 #include <pcl/registration/ndt.h>
 #include <pcl/registration/transformation_estimation_2D.h>
 
-#include <cmath>
+#include "omega_slam/matching/pcl_conversions.h"
 
 namespace omega_slam::experiments {
 
@@ -33,22 +33,6 @@ constexpr float kNdtCell = 1.0F;           // [m]
 constexpr double kNdtStep = 0.05;          // [m]
 constexpr double kNdtSmallestStep = 1e-3;  // [m]
 
-Cloud::Ptr toCloud(const matching::Points& points) {
-  auto cloud = Cloud::Ptr(new Cloud);
-  cloud->reserve(points.size());
-  for (const Eigen::Vector2d& point : points) {
-    cloud->push_back(Point(static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F));
-  }
-  return cloud;
-}
-
-Eigen::Matrix4f toMatrix(const Pose2& pose) {
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<2, 2>() = pose.rotation();
-  matrix.topRightCorner<2, 1>() = pose.translation();
-  return matrix.cast<float>();
-}
-
 /// Runs a registration that is set up but for its clouds.
 MatchResult align(pcl::Registration<Point, Point>& registration,
                   const matching::Reference& reference, const matching::View& scan,
@@ -57,12 +41,11 @@ MatchResult align(pcl::Registration<Point, Point>& registration,
     return matching::refusal(guess, MatchFailure::kTooFewReturns);
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  registration.setInputTarget(toCloud(matching::allPoints(reference)));
-  registration.setInputSource(toCloud(scan.points));
+  registration.setInputTarget(matching::toCloud(matching::allPoints(reference)));
+  registration.setInputSource(matching::toCloud(scan.points));
   Cloud aligned;
-  registration.align(aligned, toMatrix(guess));
-  const Eigen::Matrix4d m = registration.getFinalTransformation().cast<double>();
-  const Pose2 found{m(0, 3), m(1, 3), std::atan2(m(1, 0), m(0, 0))};
+  registration.align(aligned, matching::toMatrix(guess));
+  const Pose2 found = matching::toPose(registration.getFinalTransformation());
   if (!registration.hasConverged() || !found.isFinite()) {
     return matching::refusal(guess, MatchFailure::kNoOverlap);
   }

@@ -15,6 +15,7 @@
 
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/matching/match_quality.h"
+#include "omega_slam/matching/pcl_conversions.h"
 #include "omega_slam/matching/point_to_line.h"
 
 namespace omega_slam::matching {
@@ -30,28 +31,6 @@ using Icp = pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>;
 constexpr double kSmallestStep = 1e-8;
 constexpr int kRefinements = 10;
 constexpr double kTie = 0.1;  // confidences that differ by less say nothing
-
-Cloud::Ptr toCloud(const Points& points) {
-  auto cloud = Cloud::Ptr(new Cloud);
-  cloud->reserve(points.size());
-  for (const Eigen::Vector2d& point : points) {
-    cloud->push_back(
-        pcl::PointXYZ(static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F));
-  }
-  return cloud;
-}
-
-Eigen::Matrix4f toMatrix(const Pose2& pose) {
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<2, 2>() = pose.rotation();
-  matrix.topRightCorner<2, 1>() = pose.translation();
-  return matrix.cast<float>();
-}
-
-Pose2 toPose(const Eigen::Matrix4f& matrix) {
-  const Eigen::Matrix4d m = matrix.cast<double>();
-  return {m(0, 3), m(1, 3), std::atan2(m(1, 0), m(0, 0))};
-}
 
 struct Alignment {
   Pose2 T_reference_scan;
