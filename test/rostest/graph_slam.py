@@ -107,7 +107,7 @@ class GraphSlamTest(NodeTest):
     def assertLoopIsSolved(self):
         graph = self.graphs.waitFor(lambda m: len(m.constraints) == 5, 'a graph with a loop')
         self.waitForDiagnostic('graph_slam: health', 'constraints', 5)
-        self.assertIn('last solve [ms]', self.diagnosticValues('graph_slam: health'))
+        self.assertIn('last update [ms]', self.diagnosticValues('graph_slam: health'))
         home = Pose.of(graph.poses[4])
         self.assertGreater(home.y, 0.05)
         self.assertLess(home.y, 0.4)

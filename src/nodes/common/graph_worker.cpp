@@ -63,11 +63,6 @@ void GraphWorker::work() {
       std::visit([this](const auto& content) { handle(content); }, letter);
     }
     if (grow()) {
-      if (back_end_.wantsSolve()) {
-        solve();
-      } else if (back_end_.report().status != graph::SolveStatus::kFailed) {
-        diagnostics_.setHealth(DiagnosticStatus::OK, "growing");
-      }
       share(assembler_.run());
     }
   }
@@ -110,6 +105,7 @@ void GraphWorker::handle(const Reset& /*reset*/) {
 }
 
 bool GraphWorker::grow() {
+  const ros::SteadyTime begin = ros::SteadyTime::now();
   bool has_grown = false;
   while (const auto step = assembler_.next()) {
     const std::string refusal =
@@ -121,21 +117,22 @@ bool GraphWorker::grow() {
     }
     has_grown = true;
   }
+  if (has_grown) {
+    diagnostics_.set("last update [ms]", 1e3 * (ros::SteadyTime::now() - begin).toSec());
+    reportHealth();
+  }
   diagnostics_.set("keyframes waiting", static_cast<double>(assembler_.waiting()));
   return has_grown;
 }
 
-void GraphWorker::solve() {
-  const ros::SteadyTime begin = ros::SteadyTime::now();
-  const graph::SolveReport report = back_end_.solve();
-  const double seconds = (ros::SteadyTime::now() - begin).toSec();
-  diagnostics_.set("last solve [ms]", 1e3 * seconds);
+void GraphWorker::reportHealth() {
+  const graph::SolveReport& report = back_end_.report();
   diagnostics_.set("last solve, iterations", report.iterations);
   if (report.status == graph::SolveStatus::kFailed) {
     diagnostics_.reject("solver failed", report.message);
     diagnostics_.setHealth(DiagnosticStatus::ERROR, "The solver failed: " + report.message);
   } else {
-    diagnostics_.setHealth(DiagnosticStatus::OK, "solved");
+    diagnostics_.setHealth(DiagnosticStatus::OK, "growing");
   }
 }
 

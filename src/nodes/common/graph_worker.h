@@ -51,7 +51,7 @@ class GraphWorker {
   /// Forgets the graph. The next snapshot has no poses and carries the number of the run that
   /// ended.
   void reset();
-  void stop();  ///< after the solve that is going on
+  void stop();  ///< after the update that is going on
 
   [[nodiscard]] GraphSnapshotPtr snapshot() const;  ///< null while there was none
 
@@ -65,7 +65,7 @@ class GraphWorker {
   void handle(const Reset& reset);
   /// Puts into the graph what can go in. @return whether anything did
   bool grow();
-  void solve();
+  void reportHealth();
   void share(std::uint64_t run);
 
   Diagnostics& diagnostics_;

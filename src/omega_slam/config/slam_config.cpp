@@ -131,10 +131,25 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.faults(config.validate());
 }
 
+/// A kernel is the name of its kind and its width, side by side.
+void readKernel(ParameterReader& reader, const std::string& key, graph::RobustKernel& kernel) {
+  std::string name = graph::kernelNames().at(static_cast<std::size_t>(kernel.kind));
+  reader.read(key, name, graph::kernelNames());
+  kernel.kind = graph::kernelFromName(name);
+  reader.read(key + "_width", kernel.width, {0.01, 1000.0});
+}
+
 void read(ParameterReader reader, graph::SolverConfig& config) {
-  reader.read("max_iterations", config.max_iterations, kPositiveCount);
-  reader.read("relative_gain", config.relative_gain, kShare);
-  reader.read("loop_kernel", config.loop_kernel, {0.0, 1000.0});
+  reader.read("max_iterations", config.limits.max_iterations, kPositiveCount);
+  reader.read("relative_gain", config.limits.relative_gain, kShare);
+  readKernel(reader, "match_kernel", config.kernels.match);
+  readKernel(reader, "loop_kernel", config.kernels.loop);
+}
+
+void read(ParameterReader reader, graph::IncrementalConfig& config) {
+  reader.read("batch_nodes", config.batch_nodes, {1.0, 100000.0});
+  reader.read("max_turn", config.max_turn, {0.001, 3.15});
+  reader.read("max_move", config.max_move, kPositiveLength);
 }
 
 }  // namespace
@@ -172,8 +187,8 @@ void read(ParameterReader& reader, GraphSlamNodeConfig& config) {
   reader.read("transform_rate", config.transform_rate, kRate);
   reader.read("transform_tolerance", config.transform_tolerance, kDuration);
   reader.read("solve_error", config.back_end.solve_error, {0.0, 1000.0});
-  reader.read("solve_interval", config.back_end.solve_interval, kPositiveCount);
-  read(reader.group("solver"), config.back_end.solver);
+  read(reader.group("incremental"), config.back_end.graph);
+  read(reader.group("solver"), config.back_end.graph.solver);
   reader.faults(config.back_end.validate());
 }
 

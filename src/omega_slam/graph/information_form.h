@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <cstddef>
 #include <vector>
 
+#include "omega_slam/graph/linearization.h"
 #include "omega_slam/graph/pose_graph.h"
 
 namespace omega_slam::graph {
@@ -16,49 +18,74 @@ namespace omega_slam::graph {
 /// [[1, -1], [-1, 1]] to Omega and (p_i - p_j, p_j - p_i) to xi. That is the special case of add()
 /// for the error e = mu_j - mu_i - (p_j - p_i), whose Jacobians are -1 and 1, with unit
 /// information.
+///
+/// Which blocks of Omega are not zero depends on which poses are tied together alone, so the
+/// places of all constraints are found once, and the form can be cleared and filled again.
 class InformationForm {
  public:
-  explicit InformationForm(std::size_t poses);
+  /// @param held nodes whose mu is zero, whatever is added: as steps, they stay where they are.
+  /// Without one, nothing says where the whole graph lies (the gauge), and Omega is singular.
+  InformationForm(std::size_t poses, const std::vector<Constraint>& constraints,
+                  const std::vector<NodeId>& held);
 
-  /// Adds what one measurement says: e(mu) = J_i mu_i + J_j mu_j - z, weighted by its information.
-  /// Omega gains J^T Lambda J, xi gains J^T Lambda z.
-  void add(NodeId i, NodeId j, const Eigen::Matrix3d& J_i, const Eigen::Matrix3d& J_j,
-           const Eigen::Matrix3d& information, const Eigen::Vector3d& z);
+  /// All sums to zero, but for held nodes, whose equation is mu = 0.
+  void clear();
 
-  /// Holds a pose at a value: without one pose held, nothing says where the whole graph lies (the
-  /// gauge), and Omega is singular. Any positive weight gives the same solution.
-  void anchor(NodeId i, const Eigen::Vector3d& value, double weight);
+  /// Adds what one measurement says: e(mu) = e + J_i mu_i + J_j mu_j, weighted by its information
+  /// Lambda. Omega gains J^T Lambda J, xi loses J^T Lambda e.
+  /// @param k index of the constraint, as given to the constructor
+  void add(std::size_t k, const LinearizedConstraint& at, const Eigen::Matrix3d& information);
 
-  /// The lower triangle of Omega, compressed. Its pattern depends only on which poses are tied
-  /// together.
-  [[nodiscard]] Eigen::SparseMatrix<double> omega() const;
+  /// Adds `share` times the diagonal of Omega to it (Marquardt 1963).
+  void damp(double share);
+
+  /// Adds to one element of the diagonal: for what no constraint says anything of.
+  void addDiagonal(NodeId node, int axis, double value);
+
+  /// The lower triangle, compressed. Its pattern stays as it is.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& omega() const { return omega_; }
   [[nodiscard]] const Eigen::VectorXd& xi() const { return xi_; }
+  /// Which nodes are held.
+  [[nodiscard]] const std::vector<bool>& held() const { return held_; }
+  /// Which poses share a block of Omega: n x n, lower triangle.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& blocks() const { return blocks_; }
 
  private:
-  void addBlock(NodeId row, NodeId column, const Eigen::Matrix3d& block);
+  /// Where a block stands among Omega's values: its first element, and how far apart its columns
+  /// are. Nowhere where a node is held.
+  struct Block {
+    Eigen::Index first{-1};
+    Eigen::Index stride{0};
 
-  std::vector<Eigen::Triplet<double>> triplets_;
+    [[nodiscard]] bool isThere() const { return first >= 0; }
+    [[nodiscard]] Eigen::Index diagonal(int axis) const { return first + axis * (stride + 1); }
+  };
+  struct Place {
+    Eigen::Index from{0};  ///< row of xi
+    Eigen::Index to{0};
+    Block from_from;
+    Block to_to;
+    Block across;  ///< of the later node's row and the earlier one's column
+    bool to_is_later{true};
+  };
+
+  void buildBlocks(std::size_t poses, const std::vector<Constraint>& constraints);
+  void buildOmega();
+  [[nodiscard]] Block blockAt(NodeId row, NodeId column) const;
+  [[nodiscard]] Place placeOf(const Constraint& constraint) const;
+  void addTo(const Block& block, const Eigen::Matrix3d& values);
+
+  std::vector<bool> held_;
+  Eigen::SparseMatrix<double> blocks_;
+  Eigen::SparseMatrix<double> omega_;
   Eigen::VectorXd xi_;
+  std::vector<Place> places_;
 };
 
-/// Error of a constraint at two poses, and its Jacobians with respect to additive steps (x, y,
-/// theta) of either. e = (R_m^T (R_i^T (t_j - t_i) - t_m), wrap(theta_j - theta_i - theta_m)), with
-/// m the measurement `T_from_to`: the translation error stands in the measurement's frame, as in
-/// g2o (Kuemmerle et al. 2011).
-struct LinearizedConstraint {
-  Eigen::Vector3d error;
-  Eigen::Matrix3d J_from;
-  Eigen::Matrix3d J_to;
-};
-
-[[nodiscard]] LinearizedConstraint linearize(const Constraint& constraint,
-                                             const geometry::Pose2& T_map_from,
-                                             const geometry::Pose2& T_map_to);
-
-/// The paper's equations as they stand: unit information, headings as if they were known, node 0
-/// held at `origin`.
-/// @param constraints `T_from_to` is taken as the difference p_to - p_from in the map's axes
-[[nodiscard]] InformationForm paperForm(const std::vector<Constraint>& constraints,
-                                        std::size_t poses, const geometry::Pose2& origin = {});
+/// The paper's error of a constraint: unit Jacobians, since headings are taken as known.
+/// @param T_map_from gives the heading by which the measured step is turned into the map's axes
+[[nodiscard]] LinearizedConstraint paperConstraint(const Constraint& constraint,
+                                                   const geometry::Pose2& T_map_from,
+                                                   const geometry::Pose2& T_map_to);
 
 }  // namespace omega_slam::graph

@@ -12,6 +12,8 @@ std::string toString(ConstraintKind kind) {
       return "match";
     case ConstraintKind::kLoop:
       return "loop";
+    case ConstraintKind::kLandmark:
+      return "landmark";
   }
   return "unknown";
 }

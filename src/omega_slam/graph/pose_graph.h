@@ -16,7 +16,8 @@ using NodeId = std::uint32_t;
 enum class ConstraintKind : std::uint8_t {
   kOdometry = 0,  ///< from the wheels
   kMatch = 1,     ///< from scan matching with the keyframes just before
-  kLoop = 2       ///< from scan matching with an earlier visit
+  kLoop = 2,      ///< from scan matching with an earlier visit
+  kLandmark = 3   ///< a landmark seen from a keyframe
 };
 
 [[nodiscard]] std::string toString(ConstraintKind kind);
@@ -41,6 +42,8 @@ struct Constraint {
 struct PoseGraph {
   std::vector<geometry::Pose2> poses;
   std::vector<Constraint> constraints;
+  std::vector<NodeId> held;    ///< nodes that a solver does not move; node 0 where there are none
+  std::vector<NodeId> points;  ///< nodes without a heading, such as landmarks
 };
 
 }  // namespace omega_slam::graph

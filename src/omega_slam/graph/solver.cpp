@@ -1,14 +1,15 @@
 #include "omega_slam/graph/solver.h"
 
-// CHOLMOD's header before Eigen's wrapper, which expects it.
-#include <cholmod.h>
+#include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <cmath>
 
 #include "omega_slam/geometry/validation.h"
+#include "omega_slam/graph/graduated_truncation.h"
+#include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/topology.h"
 
 namespace omega_slam::graph {
 
@@ -16,132 +17,143 @@ using geometry::Pose2;
 
 namespace {
 
-using Cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
+constexpr int kMaxStages = 100;
+constexpr int kStageIterations = 2;  // the next stage goes on from wherever a stage has come to
 
-constexpr int kHalvings = 8;  // of a step that leads uphill
-
-/// Huber's cost of a squared error, and the weight by which its quadratic is scaled (Huber 1964).
-struct RobustCost {
-  double cost;
-  double weight;
-};
-
-RobustCost robustCost(const Constraint& constraint, double squared, double kernel) {
-  const bool quadratic =
-      constraint.kind != ConstraintKind::kLoop || kernel <= 0.0 || squared <= kernel * kernel;
-  if (quadratic) {
-    return {squared, 1.0};
+std::vector<double> squaredErrors(const PoseGraph& graph, const std::vector<std::size_t>& indices) {
+  std::vector<double> squared;
+  squared.reserve(indices.size());
+  for (const std::size_t k : indices) {
+    squared.push_back(chiSquare(graph, graph.constraints[k]));
   }
-  const double error = std::sqrt(squared);
-  return {2.0 * kernel * error - kernel * kernel, kernel / error};
+  return squared;
 }
 
-LinearizedConstraint linearizeAt(const PoseGraph& graph, const Constraint& constraint) {
-  return linearize(constraint, graph.poses[constraint.from], graph.poses[constraint.to]);
-}
-
-double squaredError(const Constraint& constraint, const LinearizedConstraint& at) {
-  return at.error.dot(constraint.information * at.error);
-}
-
-double totalCost(const PoseGraph& graph, double kernel) {
-  double cost = 0.0;
-  for (const Constraint& constraint : graph.constraints) {
-    cost += robustCost(constraint, chiSquare(graph, constraint), kernel).cost;
+std::vector<double> weightsOf(const PoseGraph& graph, const Weighing& weighing) {
+  std::vector<double> weights;
+  weights.reserve(graph.constraints.size());
+  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+    weights.push_back(weighing.at(k, chiSquare(graph, graph.constraints[k])).weight);
   }
-  return cost;
+  return weights;
 }
 
-/// Omega and xi for the step from the graph's poses: e(pose + step) = e + J step, so z = -e.
-InformationForm buildStep(const PoseGraph& graph, double kernel) {
-  InformationForm form(graph.poses.size());
-  for (const Constraint& constraint : graph.constraints) {
-    const LinearizedConstraint at = linearizeAt(graph, constraint);
-    const double weight = robustCost(constraint, squaredError(constraint, at), kernel).weight;
-    form.add(constraint.from, constraint.to, at.J_from, at.J_to, weight * constraint.information,
-             -at.error);
+SolveStatus statusOf(DescentEnd end) {
+  switch (end) {
+    case DescentEnd::kConverged:
+      return SolveStatus::kConverged;
+    case DescentEnd::kIterationLimit:
+      return SolveStatus::kIterationLimit;
+    case DescentEnd::kSingular:
+      break;
   }
-  form.anchor(0, Eigen::Vector3d::Zero(), 1.0);
-  return form;
-}
-
-/// Node 0 is the anchor: its step is zero but for rounding, and rounding shall not move it.
-void moveBy(std::vector<Pose2>& poses, const Eigen::VectorXd& step, double share) {
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Eigen::Vector3d change = share * step.segment<3>(3 * static_cast<Eigen::Index>(i));
-    poses[i] = Pose2::fromVector(poses[i].vector() + change);
-  }
-}
-
-/// Takes the step, or half of it, or a quarter ... until the cost falls.
-/// @return the new cost, or none if no share of the step helps; then the poses are as before
-std::optional<double> takeStep(PoseGraph& graph, const Eigen::VectorXd& step, double cost,
-                               double kernel) {
-  const std::vector<Pose2> before = graph.poses;
-  double share = 1.0;
-  for (int i = 0; i <= kHalvings; ++i, share *= 0.5) {
-    graph.poses = before;
-    moveBy(graph.poses, step, share);
-    const double moved = totalCost(graph, kernel);
-    if (std::isfinite(moved) && moved <= cost) {
-      return moved;
-    }
-  }
-  graph.poses = before;
-  return std::nullopt;
+  return SolveStatus::kFailed;
 }
 
 }  // namespace
 
 std::vector<std::string> SolverConfig::validate() const {
   geometry::Violations violations;
-  violations.requireAtLeast("max_iterations", max_iterations, 1);
-  violations.requireWithin("relative_gain", relative_gain, 0.0, 1.0);
-  violations.requireAtLeast("loop_kernel", loop_kernel, 0.0);
+  violations.requireAtLeast("max_iterations", limits.max_iterations, 1);
+  violations.requireWithin("relative_gain", limits.relative_gain, 0.0, 1.0);
+  violations.include("kernels", kernels.validate());
   return violations.sentences();
 }
 
-std::optional<Eigen::VectorXd> solveLinear(const InformationForm& form) {
-  Cholesky cholesky;
-  cholesky.cholmod().print = 0;  // a matrix that can't be factorised is an answer, not an event
-  cholesky.compute(form.omega());
-  if (cholesky.info() != Eigen::Success) {
-    return std::nullopt;
-  }
-  Eigen::VectorXd mu = cholesky.solve(form.xi());
-  if (!mu.allFinite()) {
-    return std::nullopt;
-  }
-  return mu;
+GraphSolver::GraphSolver(const SolverConfig& config) : config_(config) {
+  geometry::throwIfAny(config_.validate());
 }
 
-SolveReport solve(PoseGraph& graph, const SolverConfig& config) {
+DescentAccount GraphSolver::descend(const DescentTask& task, const DescentLimits& limits) const {
+  return config_.method == SolverMethod::kLevenbergMarquardt ? descendDamped(task, limits)
+                                                             : descendGaussNewton(task, limits);
+}
+
+DescentAccount GraphSolver::graduate(PoseGraph& graph, Weighing& weighing) {
+  const DescentTask task{graph, system_, weighing};
+  DescentAccount account = descend(task, config_.limits);
+  GraduatedTruncation stages(config_.kernels.loop.width,
+                             squaredErrors(graph, weighing.graduated()));
+  const auto goOn = [&](const DescentLimits& limits) {
+    const DescentAccount next = descend(task, limits);
+    account.end = next.end;
+    account.chi_squares.insert(account.chi_squares.end(), next.chi_squares.begin(),
+                               next.chi_squares.end());
+  };
+  bool is_decided = !stages.isNeeded();
+  for (int stage = 0; !is_decided && stage < kMaxStages; ++stage, stages.advance()) {
+    const auto weights = stages.weights(squaredErrors(graph, weighing.graduated()));
+    weighing.setStage(weights);
+    is_decided = areDecided(weights);
+    goOn({kStageIterations, config_.limits.relative_gain});
+    if (account.end == DescentEnd::kSingular) {
+      return account;
+    }
+  }
+  goOn(config_.limits);
+  return account;
+}
+
+DescentAccount GraphSolver::solvePaper(PoseGraph& graph) {
+  InformationForm& form = system_.form();
+  form.clear();
+  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+    const Constraint& constraint = graph.constraints[k];
+    form.add(k,
+             paperConstraint(constraint, graph.poses[constraint.from], graph.poses[constraint.to]),
+             Eigen::Matrix3d::Identity());
+  }
+  const auto step = system_.solve();
+  if (!step) {
+    return {DescentEnd::kSingular, {}};
+  }
+  moveBy(graph.poses, *step);
+  return {DescentEnd::kConverged, {chiSquare(graph)}};
+}
+
+SolveReport GraphSolver::solve(PoseGraph& graph) {
   SolveReport report;
-  report.initial_chi_square = chiSquare(graph);
-  report.chi_square = report.initial_chi_square;
+  report.initial_chi_square = report.chi_square = chiSquare(graph);
   if (graph.constraints.empty()) {
     return report;
   }
-  double cost = totalCost(graph, config.loop_kernel);
-  report.status = SolveStatus::kIterationLimit;
-  while (report.iterations < config.max_iterations) {
-    const auto step = solveLinear(buildStep(graph, config.loop_kernel));
-    if (!step) {
-      report.status = SolveStatus::kFailed;
-      report.message = "the information matrix is singular: part of the graph is not connected";
-      break;
-    }
-    ++report.iterations;
-    const auto moved = takeStep(graph, *step, cost, config.loop_kernel);
-    const double gain = moved ? cost - *moved : 0.0;
-    cost = moved.value_or(cost);
-    if (gain <= config.relative_gain * cost) {
-      report.status = SolveStatus::kConverged;
-      break;
-    }
+  if (!std::isfinite(report.initial_chi_square)) {
+    report.status = SolveStatus::kFailed;
+    report.message = "a pose or a constraint is not finite";
+    return report;
   }
+  const SpanningForest forest = spanningForest(graph);
+  if (forest.roots.size() > std::max<std::size_t>(graph.held.size(), 1)) {
+    report.message =
+        fmt::format("the graph is not connected: {} nodes are held, one in each part at least",
+                    forest.roots.size());
+  }
+  system_.prepare(graph, forest.roots);
+  const std::vector<Pose2> before = graph.poses;
+  Weighing weighing(config_.kernels, graph);
+  DescentAccount account;
+  if (config_.method == SolverMethod::kLinear) {
+    account = solvePaper(graph);
+  } else if (weighing.graduated().empty()) {
+    account = descend({graph, system_, weighing}, config_.limits);
+  } else {
+    account = graduate(graph, weighing);
+  }
+  report.status = statusOf(account.end);
+  if (report.status == SolveStatus::kFailed) {
+    graph.poses = before;
+    report.message = "the information matrix is singular: some pose is not determined by the rest";
+  }
+  report.iterations = static_cast<int>(account.chi_squares.size());
+  report.factorizations = system_.factorizations();
+  report.chi_squares = std::move(account.chi_squares);
   report.chi_square = chiSquare(graph);
+  report.weights = weightsOf(graph, weighing);
   return report;
+}
+
+SolveReport solve(PoseGraph& graph, const SolverConfig& config) {
+  return GraphSolver(config).solve(graph);
 }
 
 Pose2 relaxNode(const PoseGraph& graph, NodeId node, const std::vector<Constraint>& constraints) {
@@ -166,18 +178,6 @@ Pose2 relaxNode(const PoseGraph& graph, NodeId node, const std::vector<Constrain
     T_map_node = Pose2::fromVector(T_map_node.vector() + step);
   }
   return T_map_node;
-}
-
-double chiSquare(const PoseGraph& graph, const Constraint& constraint) {
-  return squaredError(constraint, linearizeAt(graph, constraint));
-}
-
-double chiSquare(const PoseGraph& graph) {
-  double sum = 0.0;
-  for (const Constraint& constraint : graph.constraints) {
-    sum += chiSquare(graph, constraint);
-  }
-  return sum;
 }
 
 }  // namespace omega_slam::graph

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "omega_slam/geometry/validation.h"
+#include "omega_slam/graph/linearization.h"
 
 namespace omega_slam::slam {
 
@@ -28,19 +29,18 @@ Pose2 placeByBest(const graph::PoseGraph& graph, NodeId node,
 
 std::vector<std::string> BackEndConfig::validate() const {
   geometry::Violations violations;
-  violations.include("solver", solver.validate());
+  violations.include("graph", graph.validate());
   violations.requireAtLeast("solve_error", solve_error, 0.0);
-  violations.requireAtLeast("solve_interval", solve_interval, 1);
   return violations.sentences();
 }
 
-BackEnd::BackEnd(const BackEndConfig& config) : config_(config) {
+BackEnd::BackEnd(const BackEndConfig& config) : config_(config), solver_(config.graph) {
   geometry::throwIfAny(config_.validate());
 }
 
 std::string BackEnd::addKeyframe(NodeId id, const Pose2& T_odom_base,
                                  const std::vector<Constraint>& constraints) {
-  if (id != graph_.poses.size()) {
+  if (id != graph().poses.size()) {
     return "keyframe out of turn";
   }
   if (!T_odom_base.isFinite()) {
@@ -54,49 +54,40 @@ std::string BackEnd::addKeyframe(NodeId id, const Pose2& T_odom_base,
   if (id > 0 && valid.empty()) {
     return "keyframe without a valid constraint";
   }
-  graph_.poses.emplace_back();
-  if (id > 0) {
-    graph_.poses[id] = placeByBest(graph_, id, valid);
-    graph_.poses[id] = graph::relaxNode(graph_, id, valid);
-  }
-  graph_.constraints.insert(graph_.constraints.end(), valid.begin(), valid.end());
+  solver_.addNode(id > 0 ? placeByBest(graph(), id, valid) : Pose2{}, valid);
   T_odom_newest_ = T_odom_base;
   return {};
 }
 
 std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) {
   std::string refusal;
+  std::vector<Constraint> valid;
+  double error = 0.0;  // largest [standard deviations]
   for (const Constraint& constraint : constraints) {
-    const std::string fault = graph::faultOf(constraint, graph_.poses.size());
-    if (!fault.empty()) {
-      refusal = refusal.empty() ? fault : refusal;
-      continue;
+    const std::string fault = graph::faultOf(constraint, graph().poses.size());
+    if (fault.empty()) {
+      valid.push_back(constraint);
+      error = std::max(error, std::sqrt(graph::chiSquare(graph(), constraint)));
+    } else if (refusal.empty()) {
+      refusal = fault;
     }
-    if (!unsolved_) {
-      unsolved_ = true;
-      unsolved_since_ = graph_.poses.size();
-    }
-    unsolved_error_ = std::max(unsolved_error_, std::sqrt(graph::chiSquare(graph_, constraint)));
-    graph_.constraints.push_back(constraint);
+  }
+  if (!valid.empty()) {
+    solver_.addConstraints(valid);
+  }
+  if (error > config_.solve_error) {
+    solve();
   }
   return refusal;
 }
 
-bool BackEnd::wantsSolve() const {
-  const std::size_t waited = graph_.poses.size() - unsolved_since_;
-  return unsolved_ && (unsolved_error_ > config_.solve_error ||
-                       waited >= static_cast<std::size_t>(config_.solve_interval));
-}
-
 const graph::SolveReport& BackEnd::solve() {
-  report_ = graph::solve(graph_, config_.solver);
-  unsolved_ = false;
-  unsolved_error_ = 0.0;
+  report_ = solver_.finish();
   return report_;
 }
 
 Pose2 BackEnd::mapFromOdometry() const {
-  return graph_.poses.empty() ? Pose2{} : graph_.poses.back() * T_odom_newest_.inverse();
+  return graph().poses.empty() ? Pose2{} : graph().poses.back() * T_odom_newest_.inverse();
 }
 
 void BackEnd::reset() { *this = BackEnd(config_); }

@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/graph/incremental_solver.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/graph/solver.h"
 
 namespace omega_slam::slam {
 
 struct BackEndConfig {
-  graph::SolverConfig solver;
-  double solve_error{
-      1.0};  ///< solve at once when a loop lies off by more than so many standard deviations,
-  int solve_interval{10};  ///< else when so many keyframes have come since the first unsolved loop
+  graph::IncrementalConfig graph;
+  /// The graph is solved until it rests when a loop lies off by more than so many standard
+  /// deviations.
+  double solve_error{1.0};
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -32,18 +33,16 @@ class BackEnd {
   std::string addKeyframe(graph::NodeId id, const geometry::Pose2& T_odom_base,
                           const std::vector<graph::Constraint>& constraints);
 
-  /// Adds constraints between known nodes, the bad ones excepted.
+  /// Adds constraints between known nodes, the bad ones excepted. All poses follow.
   /// @return why the first bad one was refused, a short stable phrase; or empty
   std::string addConstraints(const std::vector<graph::Constraint>& constraints);
 
-  /// Whether what has come since the last solve is worth one (see the config).
-  [[nodiscard]] bool wantsSolve() const;
-
-  /// Solves the whole graph.
+  /// Solves the whole graph until it rests.
   const graph::SolveReport& solve();
 
-  [[nodiscard]] const graph::PoseGraph& graph() const { return graph_; }
-  [[nodiscard]] const graph::SolveReport& report() const { return report_; }  ///< of the last solve
+  [[nodiscard]] const graph::PoseGraph& graph() const { return solver_.graph(); }
+  /// Of the last solve of the whole graph.
+  [[nodiscard]] const graph::SolveReport& report() const { return report_; }
 
   /// `T_map_odom = T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is
   /// none.
@@ -53,13 +52,9 @@ class BackEnd {
 
  private:
   BackEndConfig config_;
-  graph::PoseGraph graph_;
+  graph::IncrementalSolver solver_;
   geometry::Pose2 T_odom_newest_;
   graph::SolveReport report_;
-  double unsolved_error_{
-      0.0};  ///< largest error of a constraint not yet solved for [standard deviations]
-  std::size_t unsolved_since_{0};  ///< count of nodes when the first such constraint came
-  bool unsolved_{false};
 };
 
 }  // namespace omega_slam::slam

@@ -51,9 +51,6 @@ void Pipeline::addKeyframe(const FrontEndResult& result, ScanOutcome& outcome) {
   const auto loops = loops_.search(id, back_end_.graph().poses);
   outcome.loops = loops.size();
   back_end_.addConstraints(loops);
-  if (back_end_.wantsSolve()) {
-    back_end_.solve();
-  }
 }
 
 const graph::SolveReport& Pipeline::finish() { return back_end_.solve(); }

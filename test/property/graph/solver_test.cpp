@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "omega_slam/geometry/angle.h"
+#include "omega_slam/graph/linearization.h"
+#include "support/graphs.h"
 #include "support/poses.h"
 #include "support/seeds.h"
 
@@ -15,55 +17,18 @@ namespace {
 
 using geometry::Pose2;
 
-Eigen::Matrix3d randomInformation(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  Eigen::Matrix3d a;
-  for (int i = 0; i < 9; ++i) {
-    a(i / 3, i % 3) = normal(random);
-  }
-  return 20.0 * (a * a.transpose() + Eigen::Matrix3d::Identity());
+using test::GraphProblem;
+using test::measure;
+
+/// The true model has no kernels.
+SolverConfig plain() {
+  SolverConfig config;
+  config.kernels.loop.kind = KernelKind::kNone;
+  return config;
 }
 
-Constraint measure(const std::vector<Pose2>& truth, NodeId from, NodeId to, double noise,
-                   std::mt19937_64& random) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = relativePose(truth[from], truth[to]) *
-                         (noise > 0.0 ? test::randomPose(noise, noise, random) : Pose2{});
-  constraint.information = randomInformation(random);
-  return constraint;
-}
-
-struct Problem {
-  std::vector<Pose2> truth;
-  PoseGraph graph;
-};
-
-/// A walk of 40 poses with loops; the first guess is the truth, disturbed.
-Problem randomWalk(double noise, double disturbance, std::mt19937_64& random) {
-  Problem problem;
-  problem.truth.push_back({});
-  for (int i = 1; i < 40; ++i) {
-    problem.truth.push_back(problem.truth.back() * Pose2{0.5, 0.0, 0.0} *
-                            test::randomPose(0.1, 0.4, random));
-  }
-  for (NodeId i = 0; i + 1 < 40; ++i) {
-    problem.graph.constraints.push_back(measure(problem.truth, i, i + 1, noise, random));
-  }
-  for (int i = 0; i < 15; ++i) {
-    const auto from = static_cast<NodeId>(random() % 40);
-    const auto to = static_cast<NodeId>(random() % 40);
-    if (from != to) {
-      problem.graph.constraints.push_back(measure(problem.truth, from, to, noise, random));
-    }
-  }
-  problem.graph.poses = problem.truth;
-  for (std::size_t i = 1; i < 40; ++i) {
-    problem.graph.poses[i] =
-        problem.graph.poses[i] * test::randomPose(disturbance, disturbance, random);
-  }
-  return problem;
+GraphProblem randomWalk(double noise, double disturbance, std::mt19937_64& random) {
+  return test::randomWalk({40, 15, noise, disturbance}, random);
 }
 
 TEST(SolverLaws, JacobiansAgreeWithNumericOnes) {
@@ -100,8 +65,8 @@ TEST(SolverLaws, WithoutNoiseTheTruthIsFound) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    Problem problem = randomWalk(0.0, 0.3, random);
-    const SolveReport report = solve(problem.graph);
+    GraphProblem problem = randomWalk(0.0, 0.3, random);
+    const SolveReport report = solve(problem.graph, plain());
     EXPECT_EQ(report.status, SolveStatus::kConverged);
     EXPECT_LT(report.chi_square, 1e-9);
     for (std::size_t i = 0; i < problem.truth.size(); ++i) {
@@ -116,9 +81,9 @@ TEST(SolverLaws, CostFallsAndTheSolutionIsStationary) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    Problem problem = randomWalk(0.05, 0.2, random);
-    SolverConfig config;
-    config.relative_gain = 1e-12;
+    GraphProblem problem = randomWalk(0.05, 0.2, random);
+    SolverConfig config = plain();
+    config.limits.relative_gain = 1e-12;
     const SolveReport report = solve(problem.graph, config);
     EXPECT_LT(report.chi_square, report.initial_chi_square);
     EXPECT_NEAR(report.chi_square, chiSquare(problem.graph), 1e-9);
@@ -131,13 +96,78 @@ TEST(SolverLaws, CostFallsAndTheSolutionIsStationary) {
   }
 }
 
+TEST(SolverLaws, AllMethodsFindTheSameMinimum) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    GraphProblem problem = randomWalk(0.05, 0.2, random);
+    PoseGraph damped = problem.graph;
+    SolverConfig config = plain();
+    config.limits = {100, 1e-12};
+    const double chi_square = solve(problem.graph, config).chi_square;
+    config.method = SolverMethod::kLevenbergMarquardt;
+    const SolveReport report = solve(damped, config);
+    EXPECT_EQ(report.status, SolveStatus::kConverged);
+    EXPECT_NEAR(report.chi_square, chi_square, 1e-6 * chi_square);
+  }
+}
+
+TEST(SolverLaws, ASolverThatIsUsedAgainIsAsGoodAsNew) {
+  std::mt19937_64 random(3);
+  GraphSolver solver(plain());
+  GraphProblem problem = randomWalk(0.05, 0.2, random);
+  for (int i = 0; i < 10; ++i) {
+    if (i % 2 == 1) {  // now and then the structure changes
+      problem.graph.constraints.push_back(measure(problem.truth, 3, 30, 0.05, random));
+    }
+    problem.graph.poses[5] = problem.graph.poses[5] * test::randomPose(0.1, 0.1, random);
+    PoseGraph fresh = problem.graph;
+    EXPECT_EQ(solver.solve(problem.graph).chi_square, solve(fresh, plain()).chi_square);
+  }
+}
+
+TEST(SolverLaws, HeldNodesStayWhereTheyAre) {
+  std::mt19937_64 random(4);
+  GraphProblem problem = randomWalk(0.05, 0.2, random);
+  PoseGraph& graph = problem.graph;
+  graph.held = {7, 21};
+  const PoseGraph before = graph;
+  EXPECT_EQ(solve(graph, plain()).status, SolveStatus::kConverged);
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    const bool stays = graph.poses[i].vector() == before.poses[i].vector();
+    EXPECT_EQ(stays, i == 7 || i == 21) << i;
+  }
+  EXPECT_LT(chiSquare(graph), chiSquare(before));
+}
+
+TEST(SolverLaws, PointsWithoutHeadingAreFound) {
+  std::mt19937_64 random(5);
+  GraphProblem problem = randomWalk(0.0, 0.1, random);
+  PoseGraph& graph = problem.graph;
+  const Pose2 landmark{2.0, 3.0, 0.0};
+  graph.poses.push_back({1.0, 1.0, 0.0});
+  graph.points = {40};
+  for (const NodeId seer : {NodeId{3}, NodeId{17}}) {
+    Constraint sight;
+    sight.from = seer;
+    sight.to = 40;
+    sight.T_from_to = relativePose(problem.truth[seer], landmark);
+    sight.T_from_to.theta = 0.0;
+    sight.information.diagonal() << 100.0, 100.0, 0.0;
+    sight.kind = ConstraintKind::kLandmark;
+    graph.constraints.push_back(sight);
+  }
+  EXPECT_EQ(solve(graph, plain()).status, SolveStatus::kConverged);
+  EXPECT_LT(test::gapBetween(graph.poses[40], landmark).translation, 1e-6);
+}
+
 TEST(SolverLaws, OrderOfConstraintsDoesNotMatter) {
   std::mt19937_64 random(9);
-  Problem problem = randomWalk(0.05, 0.1, random);
+  GraphProblem problem = randomWalk(0.05, 0.1, random);
   PoseGraph shuffled = problem.graph;
   std::shuffle(shuffled.constraints.begin(), shuffled.constraints.end(), random);
-  solve(problem.graph);
-  solve(shuffled);
+  solve(problem.graph, plain());
+  solve(shuffled, plain());
   for (std::size_t i = 0; i < problem.truth.size(); ++i) {
     EXPECT_LT(test::gapBetween(problem.graph.poses[i], shuffled.poses[i]).translation, 1e-5);
   }
@@ -145,14 +175,14 @@ TEST(SolverLaws, OrderOfConstraintsDoesNotMatter) {
 
 TEST(SolverLaws, WhereTheGraphLiesDoesNotMatter) {
   std::mt19937_64 random(11);
-  Problem problem = randomWalk(0.05, 0.1, random);
+  GraphProblem problem = randomWalk(0.05, 0.1, random);
   const Pose2 T_other_map{30.0, -5.0, 2.0};
   PoseGraph moved = problem.graph;
   for (Pose2& pose : moved.poses) {
     pose = T_other_map * pose;
   }
-  SolverConfig config;
-  config.relative_gain = 1e-12;
+  SolverConfig config = plain();
+  config.limits.relative_gain = 1e-12;
   const auto here = solve(problem.graph, config);
   const auto there = solve(moved, config);
   EXPECT_NEAR(here.chi_square, there.chi_square, 1e-6 * here.chi_square);
@@ -164,7 +194,7 @@ TEST(SolverLaws, WhereTheGraphLiesDoesNotMatter) {
 
 TEST(SolverLaws, NewLeafIsPlacedWhereTheWholeSolvePutsIt) {
   std::mt19937_64 random(13);
-  Problem problem = randomWalk(0.0, 0.0, random);
+  GraphProblem problem = randomWalk(0.0, 0.0, random);
   PoseGraph& graph = problem.graph;
   const std::vector<Constraint> ties = {measure(problem.truth, 38, 39, 0.1, random),
                                         measure(problem.truth, 38, 39, 0.1, random)};
@@ -176,32 +206,41 @@ TEST(SolverLaws, NewLeafIsPlacedWhereTheWholeSolvePutsIt) {
   graph.poses[39] = relaxNode(graph, 39, ties);
   graph.constraints.insert(graph.constraints.end(), ties.begin(), ties.end());
   const Pose2 placed = graph.poses[39];
-  SolverConfig config;
-  config.relative_gain = 1e-12;
+  SolverConfig config = plain();
+  config.limits.relative_gain = 1e-12;
   solve(graph, config);
   EXPECT_LT(test::gapBetween(placed, graph.poses[39]).translation, 1e-5);
 }
 
+/// How far a false loop bends a graph under a kernel [m].
+double bendOf(const PoseGraph& graph, const Constraint& lie, RobustKernel kernel) {
+  PoseGraph clean = graph;
+  PoseGraph bent = graph;
+  bent.constraints.push_back(lie);
+  SolverConfig config = plain();
+  config.kernels.loop = kernel;
+  config.limits.max_iterations = 100;
+  solve(clean, plain());
+  solve(bent, config);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    largest = std::max(largest, test::gapBetween(bent.poses[i], clean.poses[i]).translation);
+  }
+  return largest;
+}
+
 TEST(SolverLaws, KernelKeepsAFalseLoopFromBendingTheGraph) {
   std::mt19937_64 random(17);
-  Problem problem = randomWalk(0.01, 0.0, random);
+  GraphProblem problem = randomWalk(0.01, 0.0, random);
   Constraint lie = measure(problem.truth, 2, 35, 0.0, random);
   lie.T_from_to = lie.T_from_to * Pose2{3.0, 2.0, 1.0};
   lie.kind = ConstraintKind::kLoop;
-  problem.graph.constraints.push_back(lie);
-  const auto worst = [&](double kernel) {
-    PoseGraph graph = problem.graph;
-    SolverConfig config;
-    config.loop_kernel = kernel;
-    config.max_iterations = 100;
-    solve(graph, config);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < graph.poses.size(); ++i) {
-      largest = std::max(largest, test::gapBetween(graph.poses[i], problem.truth[i]).translation);
-    }
-    return largest;
-  };
-  EXPECT_LT(worst(1.0), 0.3 * worst(0.0));
+  const auto bend = [&](RobustKernel kernel) { return bendOf(problem.graph, lie, kernel); };
+  const double unguarded = bend({KernelKind::kNone, 1.0});
+  EXPECT_LT(bend({KernelKind::kHuber, 1.0}), 0.3 * unguarded);
+  EXPECT_LT(bend({KernelKind::kCauchy, 1.0}), 0.1 * unguarded);
+  EXPECT_LT(bend({KernelKind::kScaling, 1.0}), 0.1 * unguarded);
+  EXPECT_LT(bend({KernelKind::kGraduated, 3.4}), 1e-4 * unguarded);
 }
 
 }  // namespace

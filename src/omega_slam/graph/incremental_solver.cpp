@@ -1,0 +1,130 @@
+#include "omega_slam/graph/incremental_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "omega_slam/geometry/angle.h"
+#include "omega_slam/geometry/validation.h"
+#include "omega_slam/graph/descent.h"
+#include "omega_slam/graph/linearization.h"
+
+namespace omega_slam::graph {
+
+using geometry::Pose2;
+
+namespace {
+
+/// What stands on the diagonal for nodes that are yet to come; far below what any constraint says.
+constexpr double kNothingKnown = 1e-9;
+/// So many of the newest nodes are ordered last, since the next constraints are theirs.
+constexpr std::size_t kOpenNodes = 2;
+/// Steps of the whole for one loop at most: the next loops go on with it.
+constexpr int kBatchesAtOnce = 2;
+
+}  // namespace
+
+std::vector<std::string> IncrementalConfig::validate() const {
+  geometry::Violations violations;
+  violations.include("solver", solver.validate());
+  violations.requireAtLeast("batch_nodes", batch_nodes, 1);
+  violations.requireAbove("max_turn", max_turn, 0.0);
+  violations.requireAbove("max_move", max_move, 0.0);
+  return violations.sentences();
+}
+
+IncrementalSolver::IncrementalSolver(const IncrementalConfig& config)
+    : config_(config), solver_(config.solver) {
+  geometry::throwIfAny(config_.validate());
+}
+
+void IncrementalSolver::addNode(const Pose2& T_map_node,
+                                const std::vector<Constraint>& constraints) {
+  const auto node = static_cast<NodeId>(graph_.poses.size());
+  graph_.poses.push_back(T_map_node);
+  graph_.poses.back() = relaxNode(graph_, node, constraints);
+  graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
+  if (!cholesky_ || graph_.poses.size() > capacity_) {
+    batch();
+    return;
+  }
+  linearized_at_.push_back(graph_.poses.back());
+  for (const Constraint& constraint : constraints) {
+    include(constraint);
+  }
+}
+
+void IncrementalSolver::addConstraints(const std::vector<Constraint>& constraints) {
+  graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
+  if (!cholesky_) {
+    batch();
+    return;
+  }
+  for (const Constraint& constraint : constraints) {
+    include(constraint);
+  }
+  follow();
+  for (int i = 0; i < kBatchesAtOnce && isStale(); ++i) {
+    batch();
+  }
+}
+
+void IncrementalSolver::include(const Constraint& constraint) {
+  const LinearizedConstraint at =
+      linearize(constraint, linearized_at_[constraint.from], linearized_at_[constraint.to]);
+  const double squared = chiSquare(graph_, constraint);
+  const double weight = config_.solver.kernels.of(constraint.kind).at(squared).weight;
+  cholesky_->add(constraint, at, weight);
+}
+
+void IncrementalSolver::follow() {
+  const Eigen::VectorXd mu = cholesky_->solve();
+  if (mu.allFinite()) {
+    std::copy(linearized_at_.begin(), linearized_at_.end(), graph_.poses.begin());
+    moveBy(graph_.poses, mu.head(3 * static_cast<Eigen::Index>(graph_.poses.size())));
+  }
+}
+
+bool IncrementalSolver::isStale() const {
+  for (std::size_t node = 0; node < graph_.poses.size(); ++node) {
+    const Pose2& pose = graph_.poses[node];
+    const Pose2& before = linearized_at_[node];
+    if (std::abs(geometry::angleDifference(pose.theta, before.theta)) > config_.max_turn ||
+        geometry::distance(pose, before) > config_.max_move) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void IncrementalSolver::batch() {
+  ++batches_;
+  const std::size_t nodes = graph_.poses.size();
+  capacity_ = nodes + static_cast<std::size_t>(config_.batch_nodes);
+  PoseGraph roomy = graph_;
+  roomy.poses.resize(capacity_);
+  InformationForm form(capacity_, graph_.constraints, {0});
+  fillForm(roomy, Weighing(config_.solver.kernels, graph_), form);
+  for (std::size_t node = nodes; node < capacity_; ++node) {
+    for (int axis = 0; axis < 3; ++axis) {
+      form.addDiagonal(static_cast<NodeId>(node), axis, kNothingKnown);
+    }
+  }
+  linearized_at_ = graph_.poses;
+  cholesky_ = std::make_unique<UpdatableCholesky>(
+      form, static_cast<NodeId>(nodes - std::min(nodes, kOpenNodes)));
+  if (cholesky_->isValid()) {
+    follow();
+  }
+}
+
+SolveReport IncrementalSolver::withdraw(std::size_t k) {
+  graph_.constraints.erase(graph_.constraints.begin() + static_cast<std::ptrdiff_t>(k));
+  return finish();
+}
+
+SolveReport IncrementalSolver::finish() {
+  cholesky_.reset();
+  return solver_.solve(graph_);
+}
+
+}  // namespace omega_slam::graph

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/graph/solver.h"
+#include "omega_slam/graph/updatable_cholesky.h"
+
+namespace omega_slam::graph {
+
+struct IncrementalConfig {
+  SolverConfig solver;  ///< of finish(), and the kernels throughout
+  /// Omega is ordered, linearised and factorised anew when so many nodes have come since,
+  int batch_nodes{100};
+  /// or when a pose has moved by more than this since [rad], [m]: then its Jacobians are stale.
+  double max_turn{0.1};
+  double max_move{1.0};
+
+  [[nodiscard]] std::vector<std::string> validate() const;
+};
+
+/// A graph that grows and is solved all the while: every node and constraint is taken in at a cost
+/// far below that of a solve of the whole.
+///
+/// A node that is tied to earlier ones is a leaf: a 3 x 3 problem places it, and nothing else
+/// moves. A constraint between known nodes changes the factor of Omega along one path of its
+/// elimination tree, and a backward substitution gives all poses. Linearisation points stay until a
+/// batch step (Kaess, Ranganathan and Dellaert, "iSAM: incremental smoothing and mapping", T-RO 24,
+/// 2008, section IV), which comes early where a pose has moved far.
+class IncrementalSolver {
+ public:
+  explicit IncrementalSolver(
+      const IncrementalConfig& config = {});  ///< @throws std::invalid_argument
+
+  /// Adds a node and what ties it to earlier ones; the first needs no constraint.
+  /// @param T_map_node first guess
+  void addNode(const geometry::Pose2& T_map_node, const std::vector<Constraint>& constraints);
+
+  /// Adds constraints between known nodes. All poses follow.
+  void addConstraints(const std::vector<Constraint>& constraints);
+
+  /// Takes a constraint out again and solves until the poses rest.
+  /// @param k index into the graph's constraints
+  SolveReport withdraw(std::size_t k);
+
+  /// Solves until the poses rest. Kernels are weighed anew at each step.
+  SolveReport finish();
+
+  [[nodiscard]] const PoseGraph& graph() const { return graph_; }
+  [[nodiscard]] std::size_t batches() const { return batches_; }  ///< steps of the whole so far
+
+ private:
+  void include(const Constraint& constraint);
+  void batch();
+  void follow();
+  [[nodiscard]] bool isStale() const;
+
+  IncrementalConfig config_;
+  PoseGraph graph_;                              ///< at the estimate
+  std::vector<geometry::Pose2> linearized_at_;   ///< poses
+  std::unique_ptr<UpdatableCholesky> cholesky_;  ///< none where a batch step is due
+  std::size_t capacity_{0};                      ///< nodes that the factor has room for
+  std::size_t batches_{0};
+  GraphSolver solver_;
+};
+
+}  // namespace omega_slam::graph

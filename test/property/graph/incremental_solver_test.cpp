@@ -1,0 +1,140 @@
+#include "omega_slam/graph/incremental_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "omega_slam/graph/linearization.h"
+#include "support/graphs.h"
+#include "support/poses.h"
+#include "support/seeds.h"
+
+namespace omega_slam::graph {
+namespace {
+
+IncrementalConfig plain() {
+  IncrementalConfig config;
+  config.solver.kernels.loop.kind = KernelKind::kNone;
+  return config;
+}
+
+/// A graph as a robot makes it: node by node, and loops when their later node is there.
+void play(const PoseGraph& graph, IncrementalSolver& solver) {
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    const auto node = static_cast<NodeId>(i);
+    std::vector<Constraint> ties;
+    std::vector<Constraint> loops;
+    for (const Constraint& constraint : graph.constraints) {
+      if (std::max(constraint.from, constraint.to) == node) {
+        (ties.empty() ? ties : loops).push_back(constraint);
+      }
+    }
+    solver.addNode(i == 0 ? graph.poses[0] : solver.graph().poses[i - 1] * ties.front().T_from_to,
+                   ties);
+    if (!loops.empty()) {
+      solver.addConstraints(loops);
+    }
+  }
+}
+
+TEST(IncrementalSolverLaws, IsNearTheMinimumAllTheWayAndAtItInTheEnd) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const PoseGraph graph = test::randomWalk({150, 120, 0.05, 0.0}, random).graph;
+    for (const int batch_nodes : {1, 7, 1000}) {
+      IncrementalConfig config = plain();
+      config.batch_nodes = batch_nodes;
+      IncrementalSolver solver(config);
+      play(graph, solver);
+      PoseGraph rested = solver.graph();
+      const double least = solve(rested, config.solver).chi_square;
+      EXPECT_LT(chiSquare(solver.graph()), 1.2 * least);
+      EXPECT_NEAR(solver.finish().chi_square, least, 1e-4 * least);
+    }
+  }
+}
+
+/// The factor that was changed constraint by constraint is the one of the whole.
+TEST(IncrementalSolverLaws, ChangesAddUpToABatchStep) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const PoseGraph graph = test::randomWalk({30, 25, 0.05, 0.1}, random).graph;
+    const std::size_t half = graph.constraints.size() / 2;
+    const std::vector<Constraint> early(graph.constraints.begin(),
+                                        graph.constraints.begin() + std::ptrdiff_t(half));
+    InformationForm part(graph.poses.size(), early, {0});
+    InformationForm whole(graph.poses.size(), graph.constraints, {0});
+    for (NodeId node = 1; node < 30; ++node) {  // what is not tied yet must not be singular
+      for (int axis = 0; axis < 3; ++axis) {
+        part.addDiagonal(node, axis, 1e-3);
+        whole.addDiagonal(node, axis, 1e-3);
+      }
+    }
+    for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+      const Constraint& constraint = graph.constraints[k];
+      whole.add(k, linearize(constraint, graph), constraint.information);
+      if (k < half) {
+        part.add(k, linearize(constraint, graph), constraint.information);
+      }
+    }
+    UpdatableCholesky changed(part, 25);
+    ASSERT_TRUE(changed.isValid());
+    for (std::size_t k = half; k < graph.constraints.size(); ++k) {
+      changed.add(graph.constraints[k], linearize(graph.constraints[k], graph), 1.0);
+    }
+    const UpdatableCholesky at_once(whole, 25);
+    EXPECT_TRUE(changed.solve().isApprox(at_once.solve(), 1e-8));
+    EXPECT_GE(changed.factorSize(), at_once.factorSize());
+  }
+}
+
+TEST(IncrementalSolverLaws, ANewLeafMovesNothing) {
+  std::mt19937_64 random(5);
+  const test::GraphProblem problem = test::randomWalk({40, 30, 0.05, 0.0}, random);
+  IncrementalSolver solver(plain());
+  play(problem.graph, solver);
+  const std::vector<geometry::Pose2> before = solver.graph().poses;
+  Constraint tie = problem.graph.constraints.front();
+  tie.from = 39;
+  tie.to = 40;
+  solver.addNode(before.back(), {tie});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(solver.graph().poses[i].vector(), before[i].vector());
+  }
+  EXPECT_LT(chiSquare(solver.graph(), tie), 1e-9);
+}
+
+TEST(IncrementalSolverLaws, AWithdrawnLoopLeavesNoTrace) {
+  std::mt19937_64 random(6);
+  const PoseGraph graph = test::randomWalk({40, 30, 0.05, 0.0}, random).graph;
+  IncrementalSolver solver(plain());
+  play(graph, solver);
+  const double least = solver.finish().chi_square;
+  Constraint lie = graph.constraints.back();
+  lie.T_from_to = lie.T_from_to * geometry::Pose2{3.0, 1.0, 0.5};
+  solver.addConstraints({lie});
+  EXPECT_GT(chiSquare(solver.graph()), 2.0 * least);
+  EXPECT_NEAR(solver.withdraw(solver.graph().constraints.size() - 1).chi_square, least,
+              1e-4 * least);
+}
+
+TEST(IncrementalSolverLaws, BatchStepsComeWhenPosesMoveFar) {
+  std::mt19937_64 random(7);
+  const PoseGraph graph = test::randomWalk({150, 120, 0.1, 0.0}, random).graph;
+  const auto batches = [&](double max_turn) {
+    IncrementalConfig config = plain();
+    config.max_turn = max_turn;
+    config.max_move = std::numeric_limits<double>::infinity();
+    IncrementalSolver solver(config);
+    play(graph, solver);
+    return solver.batches();
+  };
+  EXPECT_EQ(batches(3.1), 2U);  // at nodes 0 and 101
+  EXPECT_GT(batches(0.02), 10U);
+}
+
+}  // namespace
+}  // namespace omega_slam::graph
