@@ -1,0 +1,75 @@
+#include "omega_slam/graph/first_guess.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "omega_slam/graph/chordal_relaxation.h"
+#include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/topology.h"
+
+namespace omega_slam::graph {
+
+using geometry::Pose2;
+
+namespace {
+
+void guessByTree(PoseGraph& graph, Growth growth) {
+  const SpanningForest forest = spanningForest(graph, growth);
+  for (const NodeId node : forest.order) {
+    graph.poses[node] = poseByTree(graph, forest, node);
+  }
+}
+
+FirstGuess applyBest(PoseGraph& graph) {
+  FirstGuess best = FirstGuess::kGiven;
+  double least = chiSquare(graph);
+  const std::vector<Pose2> given = graph.poses;
+  std::vector<Pose2> poses = given;
+  for (const FirstGuess guess : {FirstGuess::kOdometry, FirstGuess::kTree, FirstGuess::kChordal}) {
+    graph.poses = given;
+    applyGuess(graph, guess);
+    const double chi_square = chiSquare(graph);
+    if (chi_square < least || !std::isfinite(least)) {
+      least = chi_square;
+      best = guess;
+      poses = graph.poses;
+    }
+  }
+  graph.poses = std::move(poses);
+  return best;
+}
+
+}  // namespace
+
+std::vector<std::string> guessNames() { return {"given", "odometry", "tree", "chordal", "best"}; }
+
+FirstGuess guessFromName(const std::string& name) {
+  const std::vector<std::string> names = guessNames();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw std::invalid_argument(
+        fmt::format("'{}' is not a first guess; known are {}", name, fmt::join(names, ", ")));
+  }
+  return static_cast<FirstGuess>(found - names.begin());
+}
+
+FirstGuess applyGuess(PoseGraph& graph, FirstGuess guess) {
+  if (graph.poses.empty() || guess == FirstGuess::kGiven) {
+    return FirstGuess::kGiven;
+  }
+  if (guess == FirstGuess::kBest) {
+    return applyBest(graph);
+  }
+  guessByTree(graph, guess == FirstGuess::kOdometry ? Growth::kChain : Growth::kFewest);
+  if (guess == FirstGuess::kChordal) {
+    relaxChordally(graph);
+  }
+  return guess;
+}
+
+}  // namespace omega_slam::graph
