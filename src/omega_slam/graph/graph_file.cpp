@@ -10,13 +10,15 @@
 #include <limits>
 #include <locale>
 #include <map>
-#include <optional>
+#include <numeric>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "omega_slam/geometry/angle.h"
+#include "omega_slam/graph/first_guess.h"
 
 namespace omega_slam::graph {
 namespace {
@@ -54,6 +56,13 @@ class Line {
     return {x, y, geometry::normalizeAngle(number())};
   }
 
+  geometry::Pose2 point() {
+    const double x = number();
+    return {x, number(), 0.0};
+  }
+
+  [[nodiscard]] bool isAtEnd() { return (stream_ >> std::ws).eof(); }
+
   void end() {
     std::string rest;
     if (stream_ >> rest) {
@@ -72,12 +81,13 @@ class Line {
   std::string tag_;
 };
 
-Eigen::Matrix3d readInformation(Line& line) {
-  Eigen::Matrix3d information;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = row; column < 3; ++column) {
-      information(row, column) = information(column, row) = line.number();
-    }
+/// Places of the upper triangle of an information matrix, in the order of a format.
+using Elements = std::vector<std::pair<int, int>>;
+
+Eigen::Matrix3d readInformation(Line& line, const Elements& elements) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (const auto& [row, column] : elements) {
+    information(row, column) = information(column, row) = line.number();
   }
   // Rounding in the file may push an eigenvalue that is zero a little below.
   constexpr double kRounding = 1e-6;
@@ -95,69 +105,106 @@ struct Content {
   std::map<NodeId, geometry::Pose2> poses;
   std::vector<std::pair<Constraint, std::string>> constraints;  ///< with where it stands
   std::vector<std::pair<NodeId, std::string>> fixed;
+  std::set<NodeId> points;
 };
 
-void readLine(Line& line, const std::string& where, Content& content) {
-  if (line.tag() == "VERTEX_SE2") {
-    const NodeId id = line.id();
-    if (!content.poses.emplace(id, line.pose()).second) {
-      throw line.fault(fmt::format("node {} was there before", id));
-    }
-  } else if (line.tag() == "EDGE_SE2") {
-    Constraint constraint;
-    constraint.from = line.id();
-    constraint.to = line.id();
-    if (constraint.from == constraint.to) {
-      throw line.fault(fmt::format("node {} is tied to itself", constraint.from));
-    }
-    constraint.T_from_to = line.pose();
-    constraint.information = readInformation(line);
-    const NodeId low = std::min(constraint.from, constraint.to);
-    const NodeId high = std::max(constraint.from, constraint.to);
-    constraint.kind = high - low == 1 ? ConstraintKind::kOdometry : ConstraintKind::kLoop;
-    content.constraints.emplace_back(constraint, where);
-  } else if (line.tag() == "FIX") {
+void readNode(Line& line, Content& content, bool is_point) {
+  const NodeId id = line.id();
+  if (!content.poses.emplace(id, is_point ? line.point() : line.pose()).second) {
+    throw line.fault(fmt::format("node {} was there before", id));
+  }
+  if (is_point) {
+    content.points.insert(id);
+  }
+}
+
+Constraint readTie(Line& line) {
+  Constraint constraint;
+  constraint.from = line.id();
+  constraint.to = line.id();
+  if (constraint.from == constraint.to) {
+    throw line.fault(fmt::format("node {} is tied to itself", constraint.from));
+  }
+  constraint.kind = ConstraintKind::kLoop;
+  return constraint;
+}
+
+void readEdge(Line& line, const std::string& where, Content& content, const Elements& elements) {
+  Constraint constraint = readTie(line);
+  constraint.T_from_to = line.pose();
+  constraint.information = readInformation(line, elements);
+  content.constraints.emplace_back(constraint, where);
+}
+
+void readSight(Line& line, const std::string& where, Content& content) {
+  Constraint constraint = readTie(line);
+  constraint.kind = ConstraintKind::kLandmark;
+  constraint.T_from_to = line.point();
+  constraint.information = readInformation(line, {{0, 0}, {0, 1}, {1, 1}});
+  content.points.insert(constraint.to);
+  content.constraints.emplace_back(constraint, where);
+}
+
+void readFixed(Line& line, const std::string& where, Content& content) {
+  do {
     content.fixed.emplace_back(line.id(), where);
+  } while (!line.isAtEnd());
+}
+
+constexpr const char* kTags =
+    "VERTEX_SE2, VERTEX_XY, EDGE_SE2, EDGE_SE2_XY, FIX, VERTEX2 and EDGE2";
+
+void readLine(Line& line, const std::string& where, Content& content) {
+  const std::string& tag = line.tag();
+  if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
+    readNode(line, content, false);
+  } else if (tag == "VERTEX_XY") {
+    readNode(line, content, true);
+  } else if (tag == "EDGE_SE2") {
+    readEdge(line, where, content, {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}});
+  } else if (tag == "EDGE2") {
+    readEdge(line, where, content, {{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}});
+  } else if (tag == "EDGE_SE2_XY") {
+    readSight(line, where, content);
+  } else if (tag == "FIX") {
+    readFixed(line, where, content);
   } else {
-    throw line.fault("this tag is unknown here; known are VERTEX_SE2, EDGE_SE2 and FIX");
+    throw line.fault(fmt::format("this tag is unknown here; known are {}", kTags));
   }
   line.end();
 }
 
-/// A file without vertices: every pose follows from the one before.
-void chainPoses(const std::string& name, Content& content) {
-  std::map<NodeId, geometry::Pose2> steps;  // from the node before
-  NodeId last = 0;
+/// A file without vertices: its edges say which nodes there are.
+void nameNodes(Content& content) {
   for (const auto& [constraint, where] : content.constraints) {
-    last = std::max({last, constraint.from, constraint.to});
-    if (constraint.kind == ConstraintKind::kOdometry) {
-      const bool forward = constraint.to > constraint.from;
-      steps.emplace(std::max(constraint.from, constraint.to),
-                    forward ? constraint.T_from_to : constraint.T_from_to.inverse());
-    }
+    content.poses.emplace(constraint.from, geometry::Pose2{});
+    content.poses.emplace(constraint.to, geometry::Pose2{});
   }
-  geometry::Pose2 T_map_node;
-  content.poses.emplace(0, T_map_node);
-  for (NodeId id = 1; id <= last; ++id) {
-    const auto step = steps.find(id);
-    if (step == steps.end()) {
-      throw std::runtime_error(fmt::format(
-          "{}: there are no vertices, and no edge leads from node {} to node {} to make "
-          "up for it.",
-          name, id - 1, id));
+}
+
+/// An edge between a pose and the next one is odometry: the formats do not say.
+void tellOdometry(PoseGraph& graph) {
+  std::vector<NodeId> rank(graph.poses.size(), 1);  // among the poses, without the points
+  for (const NodeId point : graph.points) {
+    rank[point] = 0;
+  }
+  std::partial_sum(rank.begin(), rank.end(), rank.begin());
+  for (Constraint& constraint : graph.constraints) {
+    const auto [low, high] = std::minmax(rank[constraint.from], rank[constraint.to]);
+    if (constraint.kind == ConstraintKind::kLoop && high - low == 1) {
+      constraint.kind = ConstraintKind::kOdometry;
     }
-    T_map_node = T_map_node * step->second;
-    content.poses.emplace(id, T_map_node);
   }
 }
 
 /// Numbers the nodes 0, 1, 2, ... and checks that whatever is spoken of is there.
-PoseGraph number(const Content& content) {
-  PoseGraph graph;
+GraphFile number(const Content& content) {
+  GraphFile file;
   std::map<NodeId, NodeId> index;
   for (const auto& [id, pose] : content.poses) {
-    index.emplace(id, static_cast<NodeId>(graph.poses.size()));
-    graph.poses.push_back(pose);
+    index.emplace(id, static_cast<NodeId>(file.ids.size()));
+    file.ids.push_back(id);
+    file.graph.poses.push_back(pose);
   }
   const auto find = [&index](NodeId id, const std::string& where) {
     const auto found = index.find(id);
@@ -167,40 +214,33 @@ PoseGraph number(const Content& content) {
     return found->second;
   };
   for (const auto& [constraint, where] : content.constraints) {
-    graph.constraints.push_back(constraint);
-    graph.constraints.back().from = find(constraint.from, where);
-    graph.constraints.back().to = find(constraint.to, where);
+    const bool is_point = content.points.count(constraint.to) > 0;
+    if (content.points.count(constraint.from) > 0 ||
+        is_point != (constraint.kind == ConstraintKind::kLandmark)) {
+      throw std::runtime_error(
+          fmt::format("{}: a point can only be the second node of an EDGE_SE2_XY.", where));
+    }
+    file.graph.constraints.push_back(constraint);
+    file.graph.constraints.back().from = find(constraint.from, where);
+    file.graph.constraints.back().to = find(constraint.to, where);
   }
   for (const auto& [id, where] : content.fixed) {
-    static_cast<void>(find(id, where));
+    const NodeId node = find(id, where);
+    const auto& held = file.graph.held;
+    if (std::find(held.begin(), held.end(), node) == held.end()) {
+      file.graph.held.push_back(node);
+    }
   }
-  return graph;
+  for (const NodeId point : content.points) {
+    file.graph.points.push_back(index.at(point));
+  }
+  tellOdometry(file.graph);
+  return file;
 }
 
 }  // namespace
 
-std::string toG2o(const PoseGraph& graph) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  for (std::size_t id = 0; id < graph.poses.size(); ++id) {
-    const geometry::Pose2& pose = graph.poses[id];
-    fmt::format_to(out, "VERTEX_SE2 {} {:.17g} {:.17g} {:.17g}\n", id, pose.x, pose.y, pose.theta);
-  }
-  if (!graph.poses.empty()) {
-    fmt::format_to(out, "FIX 0\n");
-  }
-  for (const Constraint& constraint : graph.constraints) {
-    const geometry::Pose2& pose = constraint.T_from_to;
-    const Eigen::Matrix3d& omega = constraint.information;
-    fmt::format_to(out, "EDGE_SE2 {} {} {:.17g} {:.17g} {:.17g}", constraint.from, constraint.to,
-                   pose.x, pose.y, pose.theta);
-    fmt::format_to(out, " {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", omega(0, 0),
-                   omega(0, 1), omega(0, 2), omega(1, 1), omega(1, 2), omega(2, 2));
-  }
-  return fmt::to_string(text);
-}
-
-PoseGraph fromG2o(std::string_view text, const std::string& name) {
+GraphFile readGraph(std::string_view text, const std::string& name) {
   Content content;
   std::istringstream stream{std::string(text)};
   std::string row;
@@ -211,13 +251,18 @@ PoseGraph fromG2o(std::string_view text, const std::string& name) {
       readLine(line, where, content);
     }
   }
-  if (content.poses.empty() && !content.constraints.empty()) {
-    chainPoses(name, content);
+  const bool has_edges_only = content.poses.empty();
+  if (has_edges_only) {
+    nameNodes(content);
   }
-  return number(content);
+  GraphFile file = number(content);
+  if (has_edges_only) {
+    applyGuess(file.graph, FirstGuess::kOdometry);
+  }
+  return file;
 }
 
-PoseGraph loadGraph(const std::filesystem::path& path) {
+GraphFile loadGraph(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   // A folder opens like a file, but can't be read.
   if (!file || std::filesystem::is_directory(path)) {
@@ -227,7 +272,7 @@ PoseGraph loadGraph(const std::filesystem::path& path) {
                                                 "permission to read it"));
   }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return fromG2o(text, path.string());
+  return readGraph(text, path.string());
 }
 
 }  // namespace omega_slam::graph

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 std::string complaint(const std::string& text) {
   try {
-    static_cast<void>(fromG2o(text, "bad.g2o"));
+    static_cast<void>(readGraph(text, "bad.g2o"));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -48,6 +48,14 @@ TEST(GraphFileHostile, FaultsNameFileLineAndReason) {
       {"EDGE_SE2 0 1 0 0 0 1 5 0 1 0 1", "the information matrix is not positive semi-definite"},
       {"FIX 9", "bad.g2o:3: node 9 is not in the file."},
       {"FIX", "FIX: an id is missing"},
+      {"FIX 0 x", "FIX: an id is missing"},
+      {"VERTEX_XY 2 0", "VERTEX_XY: a field is missing"},
+      {"VERTEX_XY 1 0 0", "node 1 was there before"},
+      {"VERTEX2 1 0 0 0", "node 1 was there before"},
+      {"EDGE2 0 1 0 0 0 1 0 1 1 0 9", "the information matrix is not positive semi-definite"},
+      {"EDGE_SE2_XY 0 1 0 0 1 0 1\nEDGE_SE2 0 1 0 0 0 1 0 0 1 0 1",
+       "bad.g2o:4: a point can only be the second node of an EDGE_SE2_XY."},
+      {"EDGE_SE2_XY 0 1 0 0 1 5 1", "the information matrix is not positive semi-definite"},
       {"VERTEX_SE3:QUAT 2 0 0 0 0 0 0 1", "VERTEX_SE3:QUAT: this tag is unknown here"},
       {"vertex_se2 2 0 0 0", "vertex_se2: this tag is unknown here"},
   };
@@ -62,14 +70,8 @@ TEST(GraphFileHostile, SemiDefiniteInformationIsGood) {
             "");
 }
 
-TEST(GraphFileHostile, AGapInTheChainOfEdges) {
-  EXPECT_EQ(
-      complaint("EDGE_SE2 0 1 0 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 0 0 0 1 0 0 1 0 1\n"),
-      "bad.g2o: there are no vertices, and no edge leads from node 1 to node 2 to make up for "
-      "it.");
-  // An absurd id is found out at the first gap, and does not fill the memory.
-  EXPECT_THAT(complaint("EDGE_SE2 0 4294967295 0 0 0 1 0 0 1 0 1\n"),
-              HasSubstr("from node 0 to node 1"));
+TEST(GraphFileHostile, AbsurdIdsDoNotFillTheMemory) {
+  EXPECT_EQ(complaint("EDGE_SE2 0 4294967295 0 0 0 1 0 0 1 0 1\n"), "");
 }
 
 TEST(GraphFileHostile, FilesThatCannotBeRead) {
@@ -90,7 +92,7 @@ TEST(GraphFileHostile, DamagedTextNeverDoesWorseThanAnError) {
         text[random() % text.size()] = static_cast<char>(random() % 256);
       }
       try {
-        const PoseGraph graph = fromG2o(text, "bad.g2o");
+        const PoseGraph graph = readGraph(text, "bad.g2o").graph;
         for (const Constraint& constraint : graph.constraints) {
           ASSERT_LT(constraint.from, graph.poses.size());
           ASSERT_LT(constraint.to, graph.poses.size());
