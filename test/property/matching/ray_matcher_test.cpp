@@ -1,7 +1,11 @@
-#include "omega_slam/matching/particle_matcher.h"
+// Laws of both matchers that compare scans ray by ray.
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
+#include "omega_slam/matching/hill_climbing_matcher.h"
+#include "omega_slam/matching/particle_matcher.h"
 #include "support/poses.h"
 #include "support/room.h"
 #include "support/seeds.h"
@@ -11,12 +15,21 @@ namespace {
 
 using geometry::Pose2;
 
+template <typename Matcher>
+class RayMatcherLaws : public ::testing::Test {
+ protected:
+  /// Share of matches of noisy scans that come out right, at least.
+  static constexpr double kLeastShare = std::is_same_v<Matcher, ParticleMatcher> ? 0.9 : 0.85;
+};
+using RayMatchers = ::testing::Types<HillClimbingMatcher, ParticleMatcher>;
+TYPED_TEST_SUITE(RayMatcherLaws, RayMatchers);
+
 View seenFrom(const Pose2& T_room_laser, double noise, std::mt19937_64& random) {
   return {test::measurePoints(test::furnishedRoom(), T_room_laser, 360, noise, random)};
 }
 
-TEST(ParticleMatcherLaws, RecoversDisplacementsOfAScan) {
-  const ParticleMatcher matcher;
+TYPED_TEST(RayMatcherLaws, RecoversDisplacementsOfAScan) {
+  const TypeParam matcher;
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
@@ -33,8 +46,8 @@ TEST(ParticleMatcherLaws, RecoversDisplacementsOfAScan) {
   }
 }
 
-TEST(ParticleMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
-  const ParticleMatcher matcher;
+TYPED_TEST(RayMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
+  const TypeParam matcher;
   int good = 0;
   int all = 0;
   for (const auto seed : test::seeds()) {
@@ -51,7 +64,7 @@ TEST(ParticleMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
       good += gap.translation < 0.05 && gap.rotation < 0.0175 ? 1 : 0;
     }
   }
-  EXPECT_GE(good, 0.9 * all) << good << " of " << all;
+  EXPECT_GE(good, TestFixture::kLeastShare * all) << good << " of " << all;
 }
 
 /// A scan and a guess that is a little off.
@@ -77,8 +90,8 @@ void expectSame(const Pose2& a, const Pose2& b) {
   EXPECT_LT(gap.rotation, 0.01);
 }
 
-TEST(ParticleMatcherLaws, FrameOfTheReferenceDoesNotMatter) {
-  const ParticleMatcher matcher;
+TYPED_TEST(RayMatcherLaws, FrameOfTheReferenceDoesNotMatter) {
+  const TypeParam matcher;
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
@@ -93,8 +106,8 @@ TEST(ParticleMatcherLaws, FrameOfTheReferenceDoesNotMatter) {
   }
 }
 
-TEST(ParticleMatcherLaws, MountOfTheLaserDoesNotMatter) {
-  const ParticleMatcher matcher;
+TYPED_TEST(RayMatcherLaws, MountOfTheLaserDoesNotMatter) {
+  const TypeParam matcher;
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
