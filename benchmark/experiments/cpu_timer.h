@@ -4,7 +4,8 @@
 
 namespace omega_slam::experiments {
 
-/// Time that this thread has spent on a processor [s]: what others do on the machine counts little.
+/// Time that this process has spent on processors [s], all its threads: what others do on the
+/// machine counts little.
 class CpuTimer {
  public:
   [[nodiscard]] double seconds() const { return now() - start_; }
@@ -12,7 +13,7 @@ class CpuTimer {
  private:
   static double now() {
     timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 

@@ -1,0 +1,40 @@
+#include "graph/contestants.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "experiments/cpu_timer.h"
+#include "omega_slam/graph/solver.h"
+
+namespace omega_slam::experiments {
+
+Solution solveOurselves(const graph::PoseGraph& graph) {
+  graph::SolverConfig config;
+  config.limits = {kMaxIterations, kRelativeGain};
+  config.kernels.loop.kind = graph::KernelKind::kNone;
+  graph::GraphSolver solver(config);
+  graph::PoseGraph solved = graph;
+  const CpuTimer timer;
+  const graph::SolveReport report = solver.solve(solved);
+  Solution solution{{}, report.iterations, timer.seconds()};
+  if (report.status != graph::SolveStatus::kFailed) {
+    solution.poses = std::move(solved.poses);
+  }
+  return solution;
+}
+
+std::vector<std::string> graphContestantNames() { return {"ours", "ceres"}; }
+
+GraphContestant graphContestant(const std::string& name) {
+  if (name == "ours") {
+    return solveOurselves;
+  }
+  if (name == "ceres") {
+    return solveByCeres;
+  }
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a solver here; known are ours, ceres", name));
+}
+
+}  // namespace omega_slam::experiments

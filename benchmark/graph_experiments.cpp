@@ -1,0 +1,137 @@
+// The graph's solver beside its peers. Solves one graph by one solver; scripts/experiments runs
+// them all.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "graph/contestants.h"
+#include "graph/manhattan_world.h"
+#include "graph/solve_account.h"
+#include "omega_slam/graph/first_guess.h"
+#include "omega_slam/graph/graph_file.h"
+#include "omega_slam/grid/atomic_file.h"
+
+namespace omega_slam::experiments {
+namespace {
+
+struct Arguments {
+  std::string graph;
+  std::string solved;
+  std::string out;
+  std::string guess{"best"};
+  int repetitions{5};
+  SolveAccount account;  ///< as far as another program has written it
+  ManhattanConfig manhattan;
+};
+
+void declareGuess(CLI::App& command, Arguments& arguments) {
+  command.add_option("--guess", arguments.guess, "where the solver begins")
+      ->check(CLI::IsMember(graph::guessNames()))
+      ->capture_default_str();
+}
+
+void declareRow(CLI::App& command, Arguments& arguments) {
+  command.add_option("GRAPH", arguments.graph, "g2o's format, or TORO's")->required();
+  command.add_option("--name", arguments.account.graph, "of the graph; default: that of its file");
+  command.add_option("--solver", arguments.account.solver)->required();
+}
+
+void declareSolve(CLI::App& app, Arguments& arguments) {
+  CLI::App& solve = *app.add_subcommand("solve", "a graph by ours or Ceres; prints a row (CSV)");
+  declareRow(solve, arguments);
+  declareGuess(solve, arguments);
+  solve.add_option("--repetitions", arguments.repetitions, "of which the median time counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void declareScore(CLI::App& app, Arguments& arguments) {
+  CLI::App& score = *app.add_subcommand(
+      "score", "what another program has solved, by our chi-square; prints a row (CSV)");
+  declareRow(score, arguments);
+  score.add_option("SOLVED", arguments.solved, "its poses; without them, it has failed");
+  SolveAccount& account = arguments.account;
+  score.add_option("--guess", account.guess, "where it began")->required();
+  score.add_option("--own-cost", account.own_cost, "twice the cost that it minimises itself");
+  score.add_option("--iterations", account.iterations);
+  score.add_option("--milliseconds", account.milliseconds, "of the solve alone");
+  score.add_option("--peak", account.peak_megabytes, "memory [MB]");
+}
+
+void declareWriters(CLI::App& app, Arguments& arguments) {
+  CLI::App& write = *app.add_subcommand("guess", "writes a graph with its first guess (g2o)");
+  write.add_option("GRAPH", arguments.graph, "g2o's format, or TORO's")->required();
+  declareGuess(write, arguments);
+  CLI::App& grid = *app.add_subcommand("grid", "writes the graph of a drive through streets (g2o)");
+  grid.add_option("--poses", arguments.manhattan.poses)->check(CLI::PositiveNumber);
+  grid.add_option("--seed", arguments.manhattan.seed);
+  for (CLI::App* command : {&write, &grid}) {
+    command->add_option("--out", arguments.out, "file")->required();
+  }
+}
+
+void printRow(const SolveAccount& account) {
+  fmt::print("{}\n{}\n", accountHead(), accountRow(account));
+}
+
+void runSolve(const Arguments& arguments) {
+  printRow(accountFor(graph::loadGraph(arguments.graph).graph,
+                      {arguments.account.graph, graph::guessFromName(arguments.guess),
+                       arguments.account.solver, arguments.repetitions}));
+}
+
+void runScore(Arguments& arguments) {
+  const graph::PoseGraph solved =
+      arguments.solved.empty() ? graph::PoseGraph{} : graph::loadGraph(arguments.solved).graph;
+  score(graph::loadGraph(arguments.graph).graph, solved, arguments.account);
+  printRow(arguments.account);
+}
+
+void write(const std::string& path, const std::string& text) {
+  const std::string failure = grid::writeFileAtomically(path, text);
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
+  }
+}
+
+void run(const CLI::App& app, Arguments& arguments) {
+  if (arguments.account.graph.empty()) {
+    arguments.account.graph = std::filesystem::path(arguments.graph).stem().string();
+  }
+  if (app.got_subcommand("solve")) {
+    runSolve(arguments);
+  } else if (app.got_subcommand("score")) {
+    runScore(arguments);
+  } else if (app.got_subcommand("guess")) {
+    graph::GraphFile file = graph::loadGraph(arguments.graph);
+    graph::applyGuess(file.graph, graph::guessFromName(arguments.guess));
+    write(arguments.out, graph::toG2o(file));
+  } else {
+    write(arguments.out, graph::toG2o(driveManhattan(arguments.manhattan).graph));
+  }
+}
+
+}  // namespace
+}  // namespace omega_slam::experiments
+
+int main(int argc, char** argv) {
+  CLI::App app("Experiments on the solver of pose graphs; scripts/experiments runs them all.");
+  app.require_subcommand(1);
+  omega_slam::experiments::Arguments arguments;
+  omega_slam::experiments::declareSolve(app, arguments);
+  omega_slam::experiments::declareScore(app, arguments);
+  omega_slam::experiments::declareWriters(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    omega_slam::experiments::run(app, arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "graph_experiments: {}\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
