@@ -8,9 +8,10 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'plots'))
 
-from figures import localMinima  # noqa: E402  (the path comes first)
-from page import fillPage, nearest, percent, stretchAbove  # noqa: E402
-from tables import Results, byMatcher, inOrder  # noqa: E402
+from matching_figures import localMinima  # noqa: E402  (the path comes first)
+from matching_page import nearest, stretchAbove  # noqa: E402
+from matching_tables import MatchingResults, byMatcher, inOrder  # noqa: E402
+from page import fillPage, percent  # noqa: E402
 
 
 def rowsOf(*quotients):
@@ -57,7 +58,7 @@ class Page(unittest.TestCase):
 class Tables(unittest.TestCase):
     def testAreFoundByTheirNames(self):
         with tempfile.TemporaryDirectory() as folder:
-            results = Results(pathlib.Path(folder))
+            results = MatchingResults(pathlib.Path(folder))
             for name in ('errors_swarmlab', 'errors_lab', 'places_lab_rotation'):
                 (results.folder / f'{name}.csv').write_text('a,b\n1.5,x\n')
             self.assertEqual(results.worlds('errors'), ['lab', 'swarmlab'])
