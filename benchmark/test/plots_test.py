@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """What the plots and the page of the experiments are made of."""
+import math
 import pathlib
 import sys
 import tempfile
@@ -8,7 +9,9 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'plots'))
 
-from matching_figures import localMinima  # noqa: E402  (the path comes first)
+from graph_page import contestSection, exponent, number, peersSection  # noqa: E402  (the path first)
+from graph_tables import Contest, GraphResults, leastOfRounds  # noqa: E402
+from matching_figures import localMinima  # noqa: E402
 from matching_page import nearest, stretchAbove  # noqa: E402
 from matching_tables import MatchingResults, byMatcher, inOrder  # noqa: E402
 from page import fillPage, percent  # noqa: E402
@@ -72,6 +75,47 @@ class Tables(unittest.TestCase):
         rows = [{'matcher': 'icp', 'x': 1}, {'matcher': 'particles'}, {'matcher': 'icp', 'x': 2}]
         self.assertEqual(list(byMatcher(rows)), ['particles', 'icp'])
         self.assertEqual([row['x'] for row in byMatcher(rows)['icp']], [1, 2])
+
+
+def solve(solver, guess, milliseconds, chi_square=100.0, graph='intel'):
+    return {'graph': graph, 'guess': guess, 'solver': solver, 'poses': 50.0,
+            'chi_square': chi_square, 'milliseconds': milliseconds, 'guess_milliseconds': 1.0}
+
+
+class Solves(unittest.TestCase):
+    def testTheLeastOfAllRoundsCounts(self):
+        rows = [solve('ceres', 'tree', 5), solve('ours', 'tree', 3), solve('ours', 'tree', 2)]
+        self.assertEqual([(row['solver'], row['milliseconds']) for row in leastOfRounds(rows)],
+                         [('ours', 2), ('ceres', 5)])
+
+    def testWhoStopsTooEarlyDoesNotWin(self):
+        rows = [solve('ours', 'best', 4), solve('ceres', 'tree', 1, 100.2),
+                solve('ceres', 'chordal', 6, 100.05), solve('g2o_gn', 'tree', 2, math.inf)]
+        contest = Contest(rows, 'intel')
+        self.assertEqual(contest.fastest({'ceres'})['guess'], 'chordal')
+        self.assertIsNone(contest.fastest({'g2o_gn'}))
+        self.assertEqual(contest.ours()['milliseconds'], 4)
+
+    def testRatiosAreToTheFastestPeer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = GraphResults(pathlib.Path(folder))
+            rows = [solve('ours', 'best', 4), solve('ours', 'tree', 9), solve('ceres', 'tree', 7),
+                    solve('g2o_gn', 'tree', 5)]
+            lines = [','.join(rows[0]), *(','.join(map(str, row.values())) for row in rows)]
+            (results.folder / 'solves.csv').write_text('\n'.join(lines))
+            self.assertIn('| g2o Gauss-Newton, tree | 5.00 | 0.80 | 0.83 |',
+                          contestSection(results))
+            self.assertIn('without GTSAM', peersSection(results))
+
+    def testExponentIsThatOfAPower(self):
+        rows = [{'poses': n, 'time': 3.0 * n ** 1.5} for n in (10000.0, 20000.0, 50000.0)]
+        self.assertAlmostEqual(exponent(rows, 'time'), 1.5)
+        self.assertAlmostEqual(exponent([{'poses': 10.0, 'time': 1.0}, *rows], 'time'), 1.5)
+        self.assertIsNone(exponent(rows[:1], 'time'))
+
+    def testFailuresAreWords(self):
+        self.assertEqual(number(math.inf), 'failed')
+        self.assertEqual(number(45.00469581, 6), '45.0047')
 
 
 if __name__ == '__main__':
