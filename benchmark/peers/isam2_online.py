@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from graph_file import readGraph  # noqa: E402  (the path comes first)
 from gtsam_graph import anchor, posesOf, toFactor, toPose  # noqa: E402
 from measuring import cpuSeconds  # noqa: E402
-from scoring import Solution, argumentParser, printRow  # noqa: E402
+from scoring import Solution, argumentParser, firstLine, printRow  # noqa: E402
 
 RELINEARIZE_THRESHOLD = 0.1
 
@@ -66,7 +66,7 @@ def playAnyhow(graph):
     try:
         return play(graph, 'CHOLESKY')
     except RuntimeError as error:
-        print(f'By QR, for Cholesky fails: {str(error).splitlines()[1:2]}', file=sys.stderr)
+        print(f'By QR, for Cholesky fails: {firstLine(error)}', file=sys.stderr)
         return play(graph, 'QR')
 
 

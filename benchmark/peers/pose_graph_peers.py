@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from graph_file import readGraph  # noqa: E402  (the path comes first)
 from measuring import medianSeconds  # noqa: E402
-from scoring import Solution, argumentParser, printRow  # noqa: E402
+from scoring import Solution, argumentParser, firstLine, printRow  # noqa: E402
 
 RELATIVE_GAIN = 1e-6  # as in benchmark/graph/contestants.h
 MAX_ITERATIONS = 100
@@ -106,7 +106,7 @@ def main():
     try:
         solution = SOLVERS[arguments.solver](readGraph(arguments.graph), arguments.repetitions)
     except RuntimeError as error:  # a system that it can't factorise
-        print(f'{arguments.solver} fails on {arguments.name}: {error}', file=sys.stderr)
+        print(f'{arguments.solver} fails on {arguments.name}: {firstLine(error)}', file=sys.stderr)
         solution = None
     printRow(arguments, arguments.guess, arguments.solver, solution)
 

@@ -24,6 +24,10 @@ def argumentParser(purpose):
     return parser
 
 
+def firstLine(error):
+    return str(error).strip().split('\n')[0]
+
+
 def printRow(arguments, guess, solver, solution):
     """Has graph_experiments score the poses, by the one cost that all are judged by.
 

@@ -20,8 +20,9 @@ def runSection(results):
     rows = results.table('solves')
     same = [row for row in rows if all(row[key] == rows[0][key]
                                        for key in ('graph', 'guess', 'solver'))]
-    return (f'This page: {len(same)} rounds, on {run["date"]}, one of {run["processors"]:.0f} '
-            f'processors "{run["processor"]}", {run["compiler"]}, RelWithDebInfo.\n')
+    rounds = 'one round' if len(same) == 1 else f'{len(same)} rounds'
+    return (f'This page: {rounds}, on {run["date"]}, one of {run["processors"]:.0f} processors '
+            f'"{run["processor"]}", {run["compiler"]}, RelWithDebInfo.\n')
 
 
 def peersSection(results):
@@ -126,6 +127,8 @@ def onlineRow(results, row, least):
 def onlineSection(results):
     rows = results.rows('online')
     solves = results.rows('solves')
+    if solves and not rows:
+        return 'Nothing was played in this run.\n'
     table = [onlineRow(results, row, Contest(solves + [row], row['graph']).least) for row in rows]
     return table and markdownTable(
         ['graph', 'solver', 'mean (µs)', 'median', '99 %', 'worst', 'first tenth', 'last tenth',

@@ -62,7 +62,7 @@ PROCESSOR=0 # the one on which all run
 measure() {
   local table=$TABLES/$1.csv log=$LOG_DIR/experiment_graph.log rows
   shift
-  rows=$(taskset --cpu-list "$PROCESSOR" "$@" 2>>"$log") ||
+  rows=$(OMP_NUM_THREADS=1 taskset --cpu-list "$PROCESSOR" "$@" 2>>"$log") ||
     die "An experiment has failed: $*" "All that was said is in $log."
   [[ -f $table ]] || head -n 1 <<<"$rows" >"$table"
   tail -n 1 <<<"$rows" >>"$table"
@@ -119,7 +119,6 @@ run_graph_experiments() {
   rm -rf "$GUESSED"
   mkdir -p "$GUESSED"
   PROCESSOR=$(taskset --cpu-list --pid $$ | sed 's/.*[^0-9]//') # the last that we may use
-  export OMP_NUM_THREADS=1
   if ((${#PEER_SOLVERS[@]} > 0)); then
     describe_peers >"$TABLES/peers.csv"
     for name in "${!GRAPHS[@]}"; do [[ $PLAYED != *" $name "* ]] || played+=("$name"); done
