@@ -2,7 +2,7 @@
 import gtsam
 import numpy
 
-ANCHOR = 1e-3  # m, rad; standard deviation of the prior on the first pose, which costs nothing there
+ANCHOR = 1e-3  # [m], [rad] standard deviation of the prior that holds the first pose
 
 
 def toPose(values):

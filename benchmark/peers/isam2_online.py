@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plays a graph pose by pose to GTSAM's iSAM2; prints a row of the table, writes each update's time.
+"""Plays a graph pose by pose to GTSAM's iSAM2; prints a row, writes each update's time.
 
 A pose comes with all constraints to poses before it, its guess by the constraint from the one just
 before. Only the time of update() counts, not that of reading the last pose out.

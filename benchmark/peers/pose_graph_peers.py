@@ -3,7 +3,7 @@
 
 The poses are scored by graph_experiments, which knows the one cost that all are judged by.
 """
-import multiprocessing
+import concurrent.futures
 import pathlib
 import sys
 
@@ -74,8 +74,8 @@ def iterationsOfG2o(graph):
 def solveByG2o(graph, repetitions):
     # The action that stops g2o computes all errors once more, so it is not there when time counts;
     # nor is its memory, that of another process.
-    with multiprocessing.Pool(1) as other_process:
-        iterations = other_process.apply(iterationsOfG2o, (graph,))
+    with concurrent.futures.ProcessPoolExecutor(1) as other_process:
+        iterations = other_process.submit(iterationsOfG2o, graph).result()
     if iterations == 0:
         raise RuntimeError('g2o could not factorise')
     optimizer = toOptimizer(graph)

@@ -42,8 +42,10 @@ def contestRow(graph, contest):
         return cells + ['none', '-', '-', '-']
     with_guess = ((ours['milliseconds'] + ours['guess_milliseconds']) /
                   (peer['milliseconds'] + contest.guessTime(peer['guess'])))
-    return cells + [f'{labelOf(peer["solver"])}, {peer["guess"]}', f'{peer["milliseconds"]:.2f}',
-                    f'{ours["milliseconds"] / peer["milliseconds"]:.2f}', f'{with_guess:.2f}']
+    cells += [f'{labelOf(peer["solver"])}, {peer["guess"]}', f'{peer["milliseconds"]:.2f}']
+    if not contest.reaches(ours):
+        return cells + ['not reached', '-']
+    return cells + [f'{ours["milliseconds"] / peer["milliseconds"]:.2f}', f'{with_guess:.2f}']
 
 
 def contestSection(results):

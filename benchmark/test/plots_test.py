@@ -9,7 +9,7 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'plots'))
 
-from graph_page import contestSection, exponent, number, peersSection  # noqa: E402  (the path first)
+from graph_page import contestSection, exponent, number, peersSection  # noqa: E402  (path first)
 from graph_tables import Contest, GraphResults, leastOfRounds  # noqa: E402
 from matching_figures import localMinima  # noqa: E402
 from matching_page import nearest, stretchAbove  # noqa: E402
@@ -96,16 +96,23 @@ class Solves(unittest.TestCase):
         self.assertIsNone(contest.fastest({'g2o_gn'}))
         self.assertEqual(contest.ours()['milliseconds'], 4)
 
-    def testRatiosAreToTheFastestPeer(self):
+    def contest(self, *rows):
+        """The sections on who is first, and on whose packages were there."""
         with tempfile.TemporaryDirectory() as folder:
             results = GraphResults(pathlib.Path(folder))
-            rows = [solve('ours', 'best', 4), solve('ours', 'tree', 9), solve('ceres', 'tree', 7),
-                    solve('g2o_gn', 'tree', 5)]
             lines = [','.join(rows[0]), *(','.join(map(str, row.values())) for row in rows)]
             (results.folder / 'solves.csv').write_text('\n'.join(lines))
-            self.assertIn('| g2o Gauss-Newton, tree | 5.00 | 0.80 | 0.83 |',
-                          contestSection(results))
-            self.assertIn('without GTSAM', peersSection(results))
+            return contestSection(results), peersSection(results)
+
+    def testRatiosAreToTheFastestPeer(self):
+        table, peers = self.contest(solve('ours', 'best', 4), solve('ours', 'tree', 9),
+                                    solve('ceres', 'tree', 7), solve('g2o_gn', 'tree', 5))
+        self.assertIn('| g2o Gauss-Newton, tree | 5.00 | 0.80 | 0.83 |', table)
+        self.assertIn('without GTSAM', peers)
+
+    def testThereIsNoRatioForTheWrongMinimum(self):
+        table, _ = self.contest(solve('ours', 'best', 4, 101.0), solve('g2o_gn', 'tree', 5))
+        self.assertIn('| 5.00 | not reached | - |', table)
 
     def testExponentIsThatOfAPower(self):
         rows = [{'poses': n, 'time': 3.0 * n ** 1.5} for n in (10000.0, 20000.0, 50000.0)]
