@@ -11,6 +11,7 @@
 
 #include "graph/contestants.h"
 #include "graph/manhattan_world.h"
+#include "graph/online_drive.h"
 #include "graph/solve_account.h"
 #include "omega_slam/graph/first_guess.h"
 #include "omega_slam/graph/graph_file.h"
@@ -23,6 +24,7 @@ struct Arguments {
   std::string graph;
   std::string solved;
   std::string out;
+  std::string times;
   std::string guess{"best"};
   int repetitions{5};
   SolveAccount account;  ///< as far as another program has written it
@@ -35,25 +37,35 @@ void declareGuess(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
 }
 
-void declareRow(CLI::App& command, Arguments& arguments) {
+void declareGraph(CLI::App& command, Arguments& arguments) {
   command.add_option("GRAPH", arguments.graph, "g2o's format, or TORO's")->required();
   command.add_option("--name", arguments.account.graph, "of the graph; default: that of its file");
-  command.add_option("--solver", arguments.account.solver)->required();
 }
 
 void declareSolve(CLI::App& app, Arguments& arguments) {
   CLI::App& solve = *app.add_subcommand("solve", "a graph by ours or Ceres; prints a row (CSV)");
-  declareRow(solve, arguments);
+  declareGraph(solve, arguments);
+  solve.add_option("--solver", arguments.account.solver)
+      ->required()
+      ->check(CLI::IsMember(graphContestantNames()));
   declareGuess(solve, arguments);
   solve.add_option("--repetitions", arguments.repetitions, "of which the median time counts")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
 
+void declareOnline(CLI::App& app, Arguments& arguments) {
+  CLI::App& online =
+      *app.add_subcommand("online", "plays a graph to ours, pose by pose; prints a row (CSV)");
+  declareGraph(online, arguments);
+  online.add_option("--times", arguments.times, "to write: pose, microseconds")->required();
+}
+
 void declareScore(CLI::App& app, Arguments& arguments) {
   CLI::App& score = *app.add_subcommand(
       "score", "what another program has solved, by our chi-square; prints a row (CSV)");
-  declareRow(score, arguments);
+  declareGraph(score, arguments);
+  score.add_option("--solver", arguments.account.solver)->required();
   score.add_option("SOLVED", arguments.solved, "its poses; without them, it has failed");
   SolveAccount& account = arguments.account;
   score.add_option("--guess", account.guess, "where it began")->required();
@@ -85,18 +97,35 @@ void runSolve(const Arguments& arguments) {
                        arguments.account.solver, arguments.repetitions}));
 }
 
-void runScore(Arguments& arguments) {
-  const graph::PoseGraph solved =
-      arguments.solved.empty() ? graph::PoseGraph{} : graph::loadGraph(arguments.solved).graph;
-  score(graph::loadGraph(arguments.graph).graph, solved, arguments.account);
-  printRow(arguments.account);
-}
-
 void write(const std::string& path, const std::string& text) {
   const std::string failure = grid::writeFileAtomically(path, text);
   if (!failure.empty()) {
     throw std::runtime_error(failure);
   }
+}
+
+void runOnline(Arguments& arguments) {
+  const graph::PoseGraph graph = graph::loadGraph(arguments.graph).graph;
+  const OnlineDrive drive = playOnline(graph);
+  write(arguments.times, updateTable(drive));
+  SolveAccount& account = arguments.account;
+  account.guess = "online";
+  account.solver = "ours";
+  account.iterations = drive.solution.iterations;
+  account.milliseconds = 1e3 * drive.solution.seconds;
+  account.peak_megabytes = peakMegabytes();
+  graph::PoseGraph solved;
+  solved.poses = drive.solution.poses;
+  score(graph, solved, account);
+  account.own_cost = account.chi_square;
+  printRow(account);
+}
+
+void runScore(Arguments& arguments) {
+  const graph::PoseGraph solved =
+      arguments.solved.empty() ? graph::PoseGraph{} : graph::loadGraph(arguments.solved).graph;
+  score(graph::loadGraph(arguments.graph).graph, solved, arguments.account);
+  printRow(arguments.account);
 }
 
 void run(const CLI::App& app, Arguments& arguments) {
@@ -105,6 +134,8 @@ void run(const CLI::App& app, Arguments& arguments) {
   }
   if (app.got_subcommand("solve")) {
     runSolve(arguments);
+  } else if (app.got_subcommand("online")) {
+    runOnline(arguments);
   } else if (app.got_subcommand("score")) {
     runScore(arguments);
   } else if (app.got_subcommand("guess")) {
@@ -124,6 +155,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   omega_slam::experiments::Arguments arguments;
   omega_slam::experiments::declareSolve(app, arguments);
+  omega_slam::experiments::declareOnline(app, arguments);
   omega_slam::experiments::declareScore(app, arguments);
   omega_slam::experiments::declareWriters(app, arguments);
   CLI11_PARSE(app, argc, argv);
