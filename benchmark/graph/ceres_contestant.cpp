@@ -80,8 +80,6 @@ ceres::Solver::Options options() {
   return options;
 }
 
-}  // namespace
-
 Solution solveByCeres(const graph::PoseGraph& graph) {
   std::vector<Block> blocks;
   ceres::Problem problem;
@@ -99,5 +97,9 @@ Solution solveByCeres(const graph::PoseGraph& graph) {
   }
   return solution;
 }
+
+}  // namespace
+
+std::optional<GraphContestant> ceresContestant() { return solveByCeres; }
 
 }  // namespace omega_slam::experiments

@@ -1,6 +1,7 @@
 #include "graph/contestants.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 
@@ -24,17 +25,20 @@ Solution solveOurselves(const graph::PoseGraph& graph) {
   return solution;
 }
 
-std::vector<std::string> graphContestantNames() { return {"ours", "ceres"}; }
+std::vector<std::string> graphContestantNames() {
+  return ceresContestant() ? std::vector<std::string>{"ours", "ceres"}
+                           : std::vector<std::string>{"ours"};
+}
 
 GraphContestant graphContestant(const std::string& name) {
   if (name == "ours") {
     return solveOurselves;
   }
-  if (name == "ceres") {
-    return solveByCeres;
+  if (auto ceres = ceresContestant(); ceres && name == "ceres") {
+    return *ceres;
   }
-  throw std::invalid_argument(
-      fmt::format("'{}' is not a solver here; known are ours, ceres", name));
+  throw std::invalid_argument(fmt::format("'{}' is not a solver here; known are {}", name,
+                                          fmt::join(graphContestantNames(), ", ")));
 }
 
 }  // namespace omega_slam::experiments

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,11 @@ using GraphContestant = std::function<Solution(const graph::PoseGraph&)>;
 [[nodiscard]] Solution solveOurselves(const graph::PoseGraph& graph);
 
 /// Ceres: Levenberg-Marquardt with CHOLMOD on one thread, analytic Jacobians of the same error.
-[[nodiscard]] Solution solveByCeres(const graph::PoseGraph& graph);
+/// None where Ceres was not there to build with.
+[[nodiscard]] std::optional<GraphContestant> ceresContestant();
 
-[[nodiscard]] std::vector<std::string> graphContestantNames();  ///< "ours" and "ceres"
+[[nodiscard]] std::vector<std::string>
+graphContestantNames();  ///< "ours", and "ceres" if it is there
 
 /// @throws std::invalid_argument for a name that is none of these
 [[nodiscard]] GraphContestant graphContestant(const std::string& name);

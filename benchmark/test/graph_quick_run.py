@@ -38,20 +38,22 @@ class Program:
             stream.write(f'{row}\n' if stream.tell() else f'{head}\n{row}\n')
 
 
-def solveAll(program):
+def solveAll(program, solvers):
     for size in SIZES:
         town = program.folder / f'town_{size}.g2o'
         program.run('grid', '--poses', size, '--out', town)
         for guess in GUESSES:
-            for solver in ('ours', 'ceres'):
+            for solver in solvers:
                 program.tabulate('solves', 'solve', town, '--solver', solver, '--guess', guess,
                                  '--repetitions', 1)
+        program.tabulate('online', 'online', town, '--times',
+                         program.folder / f'online_ours_{town.stem}.csv')
         program.tabulate('scaling', 'solve', town, '--solver', 'ours', '--repetitions', 3)
 
 
-def checkSolves(folder):
+def checkSolves(folder, solvers):
     rows = readTable(folder / 'solves.csv')
-    assert len(rows) == len(SIZES) * len(GUESSES) * 2, len(rows)
+    assert len(rows) == len(SIZES) * len(GUESSES) * len(solvers), len(rows)
     for size in SIZES:
         of_town = [row for row in rows if row['graph'] == f'town_{size}']
         least = min(row['chi_square'] for row in of_town)
@@ -64,9 +66,20 @@ def checkSolves(folder):
             assert row['iterations'] >= 1, row
 
 
+def checkOnline(folder):
+    """A graph that came pose by pose ends where the whole one does."""
+    solves = readTable(folder / 'solves.csv')
+    for row in readTable(folder / 'online.csv'):
+        least = min(other['chi_square'] for other in solves if other['graph'] == row['graph'])
+        assert row['chi_square'] < 1.001 * least, row
+        updates = readTable(folder / f'online_ours_{row["graph"]}.csv')
+        assert [update['pose'] for update in updates] == list(range(int(row['poses']))), row
+        assert sum(update['microseconds'] for update in updates) > 0.0, row
+
+
 def checkSame(first, second):
     """All but what depends on the machine's mood."""
-    for name in ('solves', 'scaling'):
+    for name in ('solves', 'scaling', 'online'):
         tables = [[{key: value for key, value in row.items() if key not in TIMES}
                    for row in readTable(folder / f'{name}.csv')] for folder in (first, second)]
         assert tables[0] == tables[1], f'{name} differs from run to run'
@@ -95,22 +108,24 @@ def checkReport(out):
     text = (out / 'graph.md').read_text(encoding='utf-8')
     assert f'| town_{SIZES[0]} | {SIZES[0]} |' in text, 'the contest is not the one of this run'
     assert 'without GTSAM and g2o' in text, 'the page does not say that peers are missing'
-    for plot in ('contest', 'scaling'):
+    for plot in ('contest', 'scaling', 'online'):
         assert (out / 'graph' / f'{plot}.png').stat().st_size > 5000, plot
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--program', required=True, help='graph_experiments')
-    path = parser.parse_args().program
+    parser.add_argument('--solvers', nargs='+', required=True, help='that it has')
+    arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         first, second = pathlib.Path(folder, 'first/graph'), pathlib.Path(folder, 'second')
         for tables in (first, second):
             tables.mkdir(parents=True)
-            solveAll(Program(path, tables))
+            solveAll(Program(arguments.program, tables), arguments.solvers)
         checkSame(first, second)
-        checkSolves(first)
-        checkScore(Program(path, second))
+        checkSolves(first, arguments.solvers)
+        checkOnline(first)
+        checkScore(Program(arguments.program, second))
         checkReport(first.parent)
 
 

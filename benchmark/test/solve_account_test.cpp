@@ -18,6 +18,9 @@ graph::PoseGraph smallTown() {
 }
 
 TEST(GraphContestants, FindTheSameMinimum) {
+  if (!ceresContestant()) {
+    GTEST_SKIP() << "built without Ceres";
+  }
   const graph::PoseGraph graph = smallTown();
   SolveTask task;
   task.name = "town";

@@ -1,14 +1,14 @@
-# Installs the Debian packages of scripts/dependencies.txt that are missing. Needs common.sh.
+# Installs Debian packages that are missing, such as those of scripts/dependencies.txt. Needs common.sh.
 
 DEPENDENCY_LIST=$OMEGA_SLAM_ROOT/scripts/dependencies.txt
 
-# The names of all packages in the list, one a line.
-listed_packages() { awk '!/^[[:space:]]*(#|$)/ {print $1}' "$DEPENDENCY_LIST"; }
+# listed_packages LIST: the names of all packages in a list, one a line.
+listed_packages() { awk '!/^[[:space:]]*(#|$)/ {print $1}' "$1"; }
 
-# Those of them that are not installed, one a line.
+# missing_packages PACKAGE...: those that are not installed, one a line.
 missing_packages() {
-  comm -23 <(listed_packages | sort -u) \
-    <(listed_packages | xargs dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null |
+  comm -23 <(printf '%s\n' "$@" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
       awk '$1 == "installed" {print $2}' | sort -u)
 }
 
@@ -48,13 +48,13 @@ apt_failed() {
     "All that apt-get said is in $LOG_DIR/apt.log."
 }
 
-# Installs what is missing; at once done where nothing is.
-install_dependencies() {
+# install_packages PACKAGE...: what is missing of them; at once done where nothing is.
+install_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
     die 'This is not Debian: apt-get was not found.' \
       "Install what $DEPENDENCY_LIST names by other means, then build with cmake."
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]} > 0)) || return 0
   ((EUID == 0)) || command -v sudo >/dev/null ||
     die "${#missing[@]} packages are missing, and neither is this user root nor is sudo there." \
@@ -65,6 +65,12 @@ install_dependencies() {
   run_apt update || apt_failed 'The list of packages could not be updated.'
   run_apt install --no-install-recommends "${missing[@]}" ||
     apt_failed 'Packages could not be installed.'
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]} == 0)) || apt_failed "Still missing after the installation: ${missing[*]}."
+}
+
+install_dependencies() {
+  local packages
+  mapfile -t packages < <(listed_packages "$DEPENDENCY_LIST")
+  install_packages "${packages[@]}"
 }

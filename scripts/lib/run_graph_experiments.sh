@@ -1,8 +1,9 @@
-# Runs the experiments on the graph's solver. Needs common.sh and run_experiments.sh.
+# Runs the experiments on the graph's solver. Needs common.sh, install.sh and run_experiments.sh.
 
 GRAPH_PROGRAM=$EXPERIMENTS_TREE/benchmark/graph_experiments
 GUESSED=$EXPERIMENTS_TREE/graphs # graphs with a first guess, for the peers
 GRAPH_NAMES=MIT,CSAIL,intel-carlone,intel,manhattan,manhattanOlson3500,M3500a,city10000
+CONTESTANT_LIST=$OMEGA_SLAM_ROOT/scripts/contestants.txt
 PLAYED=' manhattan city10000 ' # graphs that come pose by pose, too
 GUESSES=(odometry tree chordal)
 declare -A GRAPHS=() # name -> file
@@ -10,7 +11,26 @@ declare -A GRAPHS=() # name -> file
 # A Python environment of our own, in which other solvers are.
 PEERS=$OMEGA_SLAM_ROOT/build/peers
 PEER_PACKAGES=(gtsam g2o-python 'numpy<2') # g2o-python is built for NumPy 1
+OUR_SOLVERS=(ours)                         # those that our program runs
 PEER_SOLVERS=(g2o_gn gtsam_gn gtsam_lm)    # none without the environment
+
+# Debian's Ceres brings ATLAS along, which would take the place of the BLAS that all programs of the
+# machine use, ours among them; whichever that is stays.
+install_contestants() {
+  local library link packages
+  local -A chosen=()
+  for library in blas lapack; do
+    for link in /etc/alternatives/lib$library.so.3-*; do
+      [[ ! -e $link ]] || chosen[${link##*/}]=$(readlink "$link")
+    done
+  done
+  mapfile -t packages < <(listed_packages "$CONTESTANT_LIST")
+  install_packages "${packages[@]}"
+  for link in "${!chosen[@]}"; do
+    [[ $(readlink "/etc/alternatives/$link") == "${chosen[$link]}" ]] ||
+      as_root update-alternatives --quiet --set "$link" "${chosen[$link]}"
+  done
+}
 
 # choose_graphs NAMES USUAL: fills GRAPHS; without names, with what there is of the usual ones.
 choose_graphs() {
@@ -53,6 +73,9 @@ for package in ("g2o-python", "gtsam"):
     print(f"{package},{version(package)}")'
 }
 
+# Whether Ceres was there to build with.
+built_with_ceres() { grep -q '^Ceres_DIR:PATH=/' "$EXPERIMENTS_TREE/CMakeCache.txt"; }
+
 RUNS=0      # how many there will be
 DONE=0      # of them
 PROCESSOR=0 # the one on which all run
@@ -88,8 +111,9 @@ solve_graph() {
   local name=$1 guess solver
   measure_ours solves ours "$name" "${GRAPHS[$name]}" best
   for guess in "${GUESSES[@]}"; do
-    measure_ours solves ours "$name" "${GRAPHS[$name]}" "$guess"
-    measure_ours solves ceres "$name" "${GRAPHS[$name]}" "$guess"
+    for solver in "${OUR_SOLVERS[@]}"; do
+      measure_ours solves "$solver" "$name" "${GRAPHS[$name]}" "$guess"
+    done
     for solver in "${PEER_SOLVERS[@]}"; do
       measure_peer solves "$solver" "$name" "${GRAPHS[$name]}" "$guess"
     done
@@ -104,9 +128,12 @@ solve_grid() {
   ((${#PEER_SOLVERS[@]} == 0)) || measure_peer scaling g2o_gn "$name" "$file" tree
 }
 
-# play_graph NAME: pose by pose.
+# play_graph NAME: pose by pose, by ours and iSAM2.
 play_graph() {
   local file=$GUESSED/$1_odometry.g2o
+  measure online "$GRAPH_PROGRAM" online "${GRAPHS[$1]}" --name "$1" \
+    --times "$TABLES/online_ours_$1.csv"
+  ((${#PEER_SOLVERS[@]} > 0)) || return 0
   measure online "$PEERS/bin/python" "$OMEGA_SLAM_ROOT/benchmark/peers/isam2_online.py" "$file" \
     --program "$GRAPH_PROGRAM" --name "$1" --times "$TABLES/online_isam2_$1.csv"
 }
@@ -119,12 +146,13 @@ run_graph_experiments() {
   rm -rf "$GUESSED"
   mkdir -p "$GUESSED"
   PROCESSOR=$(taskset --cpu-list --pid $$ | sed 's/.*[^0-9]//') # the last that we may use
-  if ((${#PEER_SOLVERS[@]} > 0)); then
-    describe_peers >"$TABLES/peers.csv"
-    for name in "${!GRAPHS[@]}"; do [[ $PLAYED != *" $name "* ]] || played+=("$name"); done
-  fi
-  RUNS=$((rounds * (${#GRAPHS[@]} * (1 + ${#GUESSES[@]} * (2 + ${#PEER_SOLVERS[@]})) +
-    $# * (${#PEER_SOLVERS[@]} > 0 ? 3 : 2)) + ${#played[@]}))
+  ! built_with_ceres || OUR_SOLVERS+=(ceres)
+  ((${#PEER_SOLVERS[@]} == 0)) || describe_peers >"$TABLES/peers.csv"
+  for name in "${!GRAPHS[@]}"; do [[ $PLAYED != *" $name "* ]] || played+=("$name"); done
+  local both=$((${#PEER_SOLVERS[@]} > 0 ? 1 : 0)) # ours and peers
+  RUNS=$((rounds * (${#GRAPHS[@]} *
+    (1 + ${#GUESSES[@]} * (${#OUR_SOLVERS[@]} + ${#PEER_SOLVERS[@]})) + $# * (2 + both)) +
+    ${#played[@]} * (1 + both)))
   for ((round = 0; round < rounds; ++round)); do
     for name in "${!GRAPHS[@]}"; do solve_graph "$name"; done
     for poses in "$@"; do solve_grid "$poses"; done
