@@ -34,6 +34,11 @@ class GraphSystem {
     return cholesky_->solve(right);
   }
 
+  [[nodiscard]] const std::vector<NodeId>& held() const { return held_; }
+
+  /// The last factorisation.
+  [[nodiscard]] const SparseCholesky& cholesky() const { return *cholesky_; }
+
   [[nodiscard]] int factorizations() const { return factorizations_; }  ///< since prepare()
 
  private:

@@ -97,6 +97,22 @@ std::optional<Eigen::VectorXd> SparseCholesky::solveNearby(const InformationForm
   return std::nullopt;
 }
 
+FactorColumns SparseCholesky::columns() const {
+  cholmod_factor* factor = cholmod_copy_factor(cholmod_->factor, &cholmod_->common);
+  cholmod_change_factor(CHOLMOD_REAL, true, false, true, true, factor, &cholmod_->common);
+  const auto* order = static_cast<const int*>(factor->Perm);
+  const auto* starts = static_cast<const int*>(factor->p);
+  const auto* rows = static_cast<const int*>(factor->i);
+  const auto* values = static_cast<const double*>(factor->x);
+  const int size = static_cast<int>(factor->n);
+  FactorColumns columns{{order, order + size},
+                        {starts, starts + size + 1},
+                        {rows, rows + starts[size]},
+                        {values, values + starts[size]}};
+  cholmod_free_factor(&factor, &cholmod_->common);
+  return columns;
+}
+
 double SparseCholesky::factorSize() const { return cholmod_->common.lnz; }
 
 double SparseCholesky::factorWork() const { return cholmod_->common.fl; }

@@ -3,10 +3,20 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "omega_slam/graph/information_form.h"
 
 namespace omega_slam::graph {
+
+/// The factor L of P Omega P^T = L L^T, column by column, each column's rows ascending and its
+/// diagonal first.
+struct FactorColumns {
+  std::vector<int> order;   ///< row `order[i]` of Omega is row i of L
+  std::vector<int> starts;  ///< by column, of rows and values; and the end of the last one
+  std::vector<int> rows;
+  std::vector<double> values;
+};
 
 /// Solves Omega mu = xi by a sparse Cholesky factorisation (SuiteSparse CHOLMOD: Davis, "Direct
 /// Methods for Sparse Linear Systems", 2006).
@@ -38,6 +48,9 @@ class SparseCholesky {
   /// @return none where `max_steps` steps do not
   [[nodiscard]] std::optional<Eigen::VectorXd> solveNearby(const InformationForm& form,
                                                            double tolerance, int max_steps) const;
+
+  /// A copy of the factor that was made last. Elements that happen to be zero are kept.
+  [[nodiscard]] FactorColumns columns() const;
 
   /// Elements of the factor, and the work of computing it [floating point operations].
   [[nodiscard]] double factorSize() const;
