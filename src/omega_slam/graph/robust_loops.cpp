@@ -27,8 +27,7 @@ constexpr double kLikelySquared = 11.3;  // 99 % of chi-square with 3 degrees of
 constexpr double kMedianSquared = 2.37;  // 50 %
 constexpr std::size_t kSample = 20;      // loops from which the scale of covariances can be told
 constexpr double kHeavyTail = 4.0;       // by which a variance so found is widened
-constexpr double kFairOdds = 1.0;        // of a loop that agrees with others
-constexpr double kGoodOdds = 10.0;       // of one that stands alone
+constexpr double kFairOdds = 1.0;
 constexpr double kFirstShare = 1e-4;  // of the chance allowed; all of it some rounds later
 constexpr double kShareGrowth = 10.0;
 const DescentLimits kRoundLimits{20, 1e-4};
@@ -92,6 +91,7 @@ class Examination {
   bool withdrawWorst();
   bool believeConfirmed();
   bool presumeLikeliest();
+  bool reopen();
   [[nodiscard]] double varianceFactor() const;
   [[nodiscard]] LoopVerdict verdictOn(const Doubtful& loop) const;
   void fillReport(RobustReport& report) const;
@@ -103,7 +103,6 @@ class Examination {
   GraphSystem system_;
   ErrorSpace space_;
   double share_{kFirstShare};  ///< of the chance allowed
-  int patience_{kPatience};
 };
 
 Examination::Examination(PoseGraph& graph, const RobustConfig& config)
@@ -218,13 +217,21 @@ bool Examination::withdrawWorst() {
 bool Examination::believeConfirmed() {
   bool is_any = false;
   for (Doubtful& loop : loops_) {
-    if (!loop.is_believed && loop.withdrawals < patience_ &&
+    if (!loop.is_believed && loop.withdrawals < kPatience &&
         loop.fit.squared < config_.gate * config_.gate &&
         chanceOf(loop.fit, space_) < share_ * limitOf(loop)) {
       loop.is_believed = is_any = true;
     }
   }
   return is_any;
+}
+
+/// A last chance for what was withdrawn while much was wrong.
+bool Examination::reopen() {
+  for (Doubtful& loop : loops_) {
+    loop.withdrawals = std::min(loop.withdrawals, kPatience - 1);
+  }
+  return believeConfirmed();
 }
 
 /// By how much covariances are too large, seen from the loops that are believed: 1 if they are not.
@@ -246,15 +253,15 @@ double Examination::varianceFactor() const {
 bool Examination::presumeLikeliest() {
   const double variance = varianceFactor();
   const auto mayBe = [&](const Doubtful& loop) {
-    return !loop.is_believed && loop.withdrawals < patience_ &&
+    return !loop.is_believed && loop.withdrawals < kPatience &&
            loop.fit.squared < kLikelySquared * variance;
   };
   Doubtful* likeliest = nullptr;
   std::pair<bool, double> best{false, 0.0};
   for (Doubtful& loop : loops_) {
-    const bool is_supported = !loop.supporters.empty();
-    const std::pair<bool, double> rank{is_supported, oddsOf(loop.fit, space_, variance)};
-    if (mayBe(loop) && rank.second > (is_supported ? kFairOdds : kGoodOdds) && rank > best) {
+    const std::pair<bool, double> rank{!loop.supporters.empty(),
+                                       oddsOf(loop.fit, space_, variance)};
+    if (mayBe(loop) && rank.second > kFairOdds && rank > best) {
       best = rank;
       likeliest = &loop;
     }
@@ -306,6 +313,7 @@ RobustReport Examination::run() {
   const std::vector<geometry::Pose2> before = graph_.poses;
   FirstGuess guess = FirstGuess::kOdometry;
   bool is_settled = false;
+  bool is_reopened = false;
   bool is_solved = true;
   while (is_solved && !is_settled && report.rounds < config_.max_rounds) {
     is_solved = solveRound(guess, kRoundLimits) != DescentEnd::kSingular && updateFits();
@@ -316,9 +324,9 @@ RobustReport Examination::run() {
     const bool is_strict = share_ < 1.0;
     share_ = std::min(1.0, kShareGrowth * share_);
     is_settled = !is_strict && !is_withdrawn && !is_new && !presumeLikeliest();
-    if (is_settled && patience_ == kPatience) {
-      ++patience_;  // what was withdrawn while much was wrong has a last chance
-      is_settled = !believeConfirmed();
+    if (is_settled && !is_reopened) {
+      is_reopened = true;
+      is_settled = !reopen();
     }
   }
   const DescentEnd end = is_solved ? solveRound(FirstGuess::kGiven, config_.limits)
