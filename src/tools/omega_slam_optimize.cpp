@@ -16,6 +16,7 @@
 #include "omega_slam/graph/first_guess.h"
 #include "omega_slam/graph/graph_file.h"
 #include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/robust_loops.h"
 #include "omega_slam/graph/solver.h"
 #include "omega_slam/graph/thinning.h"
 #include "omega_slam/grid/atomic_file.h"
@@ -31,6 +32,7 @@ struct Arguments {
   std::string method{"gauss-newton"};
   std::string kernel{"none"};
   std::string guess{"best"};
+  std::string loops{"believe"};
   std::string plot;
   std::string residuals;
   double width{1.0};
@@ -58,6 +60,11 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--guess", arguments.guess,
                  "where to begin; best is the one with the least chi-square")
       ->check(CLI::IsMember(graph::guessNames()))
+      ->capture_default_str();
+  app.add_option("--loops", arguments.loops,
+                 "doubt finds out which loops are false and solves without them; it makes its own "
+                 "first guess, and takes neither method nor kernel")
+      ->check(CLI::IsMember({"believe", "doubt"}))
       ->capture_default_str();
   app.add_option("--iterations", arguments.iterations, "at most so many")
       ->check(CLI::PositiveNumber)
@@ -159,6 +166,39 @@ graph::SolveReport thin(double spacing, const graph::SolverConfig& config, graph
   return graph::solve(file.graph, config);
 }
 
+graph::SolveReport solveBelieving(graph::PoseGraph& graph, const Arguments& arguments) {
+  const auto guess = graph::applyGuess(graph, graph::guessFromName(arguments.guess));
+  graph::SolveReport report = graph::solve(graph, solverConfig(arguments));
+  fmt::print("first guess ({}): chi-square {:.6f}\n",
+             graph::guessNames().at(static_cast<std::size_t>(guess)), report.initial_chi_square);
+  return report;
+}
+
+graph::SolveReport solveDoubting(graph::GraphFile& file, const Arguments& arguments) {
+  graph::RobustConfig config;
+  config.limits.max_iterations = arguments.iterations;
+  const graph::RobustReport report = graph::solveWithDoubtfulLoops(file.graph, config);
+  for (const graph::LoopVerdict& loop : report.loops) {
+    if (!loop.isBelieved()) {
+      const graph::Constraint& constraint = file.graph.constraints[loop.constraint];
+      fmt::print("loop {} - {} is {}: {:.1f} standard deviations off\n", file.ids[constraint.from],
+                 file.ids[constraint.to], toString(loop.standing), std::sqrt(loop.squared));
+    }
+  }
+  return report.solution;
+}
+
+/// Removes the loops that are not believed.
+void dropDoubted(const std::vector<double>& weights, graph::PoseGraph& graph) {
+  std::vector<graph::Constraint> believed;
+  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+    if (weights[k] > 0.0) {
+      believed.push_back(graph.constraints[k]);
+    }
+  }
+  graph.constraints = std::move(believed);
+}
+
 int run(const Arguments& arguments) {
   const graph::GraphFile before = graph::loadGraph(arguments.input);
   graph::GraphFile after = before;
@@ -166,16 +206,18 @@ int run(const Arguments& arguments) {
              before.graph.poses.size(), before.graph.constraints.size(),
              graph::chiSquare(before.graph));
   const auto start = Clock::now();
-  const auto guess = graph::applyGuess(after.graph, graph::guessFromName(arguments.guess));
-  graph::SolveReport report = graph::solve(after.graph, solverConfig(arguments));
+  const bool is_doubting = arguments.loops == "doubt";
+  graph::SolveReport report =
+      is_doubting ? solveDoubting(after, arguments) : solveBelieving(after.graph, arguments);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  fmt::print("first guess ({}): chi-square {:.6f}\n",
-             graph::guessNames().at(static_cast<std::size_t>(guess)), report.initial_chi_square);
   if (report.status == graph::SolveStatus::kFailed) {
     throw std::runtime_error(report.message + ".");
   }
   printReport(report, seconds);
   if (arguments.thin > 0.0) {
+    if (is_doubting) {
+      dropDoubted(report.weights, after.graph);
+    }
     report = thin(arguments.thin, solverConfig(arguments), after);
   }
   report.initial_chi_square = graph::chiSquare(before.graph);

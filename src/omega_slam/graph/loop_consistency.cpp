@@ -62,8 +62,7 @@ std::vector<const Constraint*> stepsOf(const PoseGraph& graph) {
       continue;
     }
     const Constraint*& best = steps[std::max(constraint.from, constraint.to)];
-    if (best == nullptr ||
-        constraint.information.determinant() > best->information.determinant()) {
+    if (best == nullptr || constraint.information.determinant() > best->information.determinant()) {
       best = &constraint;
     }
   }
@@ -102,10 +101,9 @@ std::optional<double> OdometryChain::disagreement(const Constraint& a, const Con
   const Pose2 cycle = one.T_low_high.inverse() * first * other.T_low_high * last;
   const Pose2 T_high_origin = poses_[one.high].inverse();
   const Pose2 T_high_start = (poses_[other.low] * other.T_low_high * last).inverse();
-  const Eigen::Matrix3d covariance =
-      one.covariance + carry(last.inverse(), other.covariance) +
-      carry(T_high_origin, covarianceBetween(one.high, other.high)) +
-      carry(T_high_start, covarianceBetween(one.low, other.low));
+  const Eigen::Matrix3d covariance = one.covariance + carry(last.inverse(), other.covariance) +
+                                     carry(T_high_origin, covarianceBetween(one.high, other.high)) +
+                                     carry(T_high_start, covarianceBetween(one.low, other.low));
   const Eigen::Vector3d error = cycle.vector();
   return error.dot(covariance.ldlt().solve(error));
 }
@@ -116,9 +114,23 @@ NodeId OdometryChain::separation(const Constraint& a, const Constraint& b) {
   return std::max(gap(a_low, b_low), gap(a_high, b_high));
 }
 
+LoopSupport supportOf(const Constraint& loop, const std::vector<Constraint>& others,
+                      const OdometryChain& chain, const SupportConfig& config) {
+  LoopSupport support;
+  for (const Constraint& other : others) {
+    if (OdometryChain::separation(loop, other) > config.neighbourhood) {
+      continue;
+    }
+    if (const auto squared = chain.disagreement(loop, other)) {
+      ++(*squared < config.gate * config.gate ? support.agreeing : support.disagreeing);
+    }
+  }
+  return support;
+}
+
 std::vector<std::vector<std::size_t>> agreeingLoops(const PoseGraph& graph,
                                                     const std::vector<std::size_t>& loops,
-                                                    NodeId neighbourhood, double gate) {
+                                                    const SupportConfig& config) {
   const OdometryChain chain(graph);
   const auto loopAt = [&](std::size_t i) -> const Constraint& {
     return graph.constraints[loops[i]];
@@ -130,12 +142,12 @@ std::vector<std::vector<std::size_t>> agreeingLoops(const PoseGraph& graph,
                    [&](std::size_t i, std::size_t j) { return low(i) < low(j); });
   std::vector<std::vector<std::size_t>> agreeing(loops.size());
   for (auto i = order.begin(); i != order.end(); ++i) {
-    for (auto j = i + 1; j != order.end() && low(*j) - low(*i) <= neighbourhood; ++j) {
-      if (OdometryChain::separation(loopAt(*i), loopAt(*j)) > neighbourhood) {
+    for (auto j = i + 1; j != order.end() && low(*j) - low(*i) <= config.neighbourhood; ++j) {
+      if (OdometryChain::separation(loopAt(*i), loopAt(*j)) > config.neighbourhood) {
         continue;
       }
       const auto squared = chain.disagreement(loopAt(*i), loopAt(*j));
-      if (squared && *squared < gate * gate) {
+      if (squared && *squared < config.gate * config.gate) {
         agreeing[*i].push_back(*j);
         agreeing[*j].push_back(*i);
       }

@@ -40,13 +40,28 @@ class OdometryChain {
   std::vector<std::size_t> parts_;  ///< numbered; a missing step begins a new one
 };
 
-/// For each loop those that agree with it: with both ends within `neighbourhood` steps of its own,
-/// and a disagreement below gate^2. Indices into `loops`, ascending. A loop with such support is
-/// not a lone mistake, though many may share a cause: what looks alike here and there.
+/// What others say of a loop.
+struct LoopSupport {
+  std::size_t agreeing{0};
+  std::size_t disagreeing{0};
+};
+
+struct SupportConfig {
+  NodeId neighbourhood{10};  ///< [steps] between ends, within which loops are compared
+  double gate{4.0};          ///< [standard deviations] up to which a disagreement is noise
+};
+
+/// Compares a new loop with others, such as the recent ones. None that is near, and nothing is
+/// said.
+[[nodiscard]] LoopSupport supportOf(const Constraint& loop, const std::vector<Constraint>& others,
+                                    const OdometryChain& chain, const SupportConfig& config = {});
+
+/// For each loop those that agree with it: near it and within the gate. Indices into `loops`,
+/// ascending. A loop with such support is not a lone mistake, though many may share a cause: what
+/// looks alike here and there.
 /// @param loops indices of constraints
-/// @param gate [standard deviations]
 [[nodiscard]] std::vector<std::vector<std::size_t>> agreeingLoops(
-    const PoseGraph& graph, const std::vector<std::size_t>& loops, NodeId neighbourhood,
-    double gate);
+    const PoseGraph& graph, const std::vector<std::size_t>& loops,
+    const SupportConfig& config = {});
 
 }  // namespace omega_slam::graph

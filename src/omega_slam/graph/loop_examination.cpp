@@ -9,7 +9,7 @@ namespace omega_slam::graph {
 std::optional<std::vector<LoopFit>> examine(const PoseGraph& graph, const Weighing& weighing,
                                             GraphSystem& system,
                                             const std::vector<std::size_t>& loops) {
-  fillSystem(graph, weighing, system);
+  fillForm(graph, weighing, system.form());
   if (!system.solve()) {
     return std::nullopt;
   }

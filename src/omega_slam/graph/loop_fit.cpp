@@ -58,9 +58,9 @@ LoopFit fitOf(const Constraint& loop, const Eigen::Vector3d& error,
   // errors at a solution that counts the loop have I - S.
   const Eigen::Matrix3d root = squareRoot(loop.information);
   const Eigen::Matrix3d predicted = root * covariance * root;
-  const Eigen::Matrix3d expected = Eigen::Matrix3d::Identity() +
-                                   (is_counted ? -1.0 : 1.0) * 0.5 *
-                                       Eigen::Matrix3d(predicted + predicted.transpose());
+  const Eigen::Matrix3d expected =
+      Eigen::Matrix3d::Identity() +
+      (is_counted ? -1.0 : 1.0) * 0.5 * Eigen::Matrix3d(predicted + predicted.transpose());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(expected);
   const Eigen::Vector3d variances = eigen.eigenvalues();
   if (variances.minCoeff() < kSmallestRedundancy) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "omega_slam/graph/loop_consistency.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/graph/solver.h"
 
@@ -15,8 +16,7 @@ struct RobustConfig {
   double accidents{0.1};
   /// Chance to fit as well by accident up to which a loop is believed that agrees with others.
   double supported_chance{1e-3};
-  /// [steps of the drive] between the ends of loops that can support each other.
-  NodeId neighbourhood{10};
+  SupportConfig support;  ///< which loops agree
   /// Of examinations, each with a solve.
   int max_rounds{100};
   DescentLimits limits{100, 1e-6};  ///< of the last solve
@@ -39,21 +39,19 @@ enum class LoopStanding {
 struct LoopVerdict {
   std::size_t constraint{0};  ///< index
   LoopStanding standing{LoopStanding::kUnconfirmed};
-  double weight{0.0};          ///< 1 if it is believed, 0 if not
-  double chi_square{0.0};      ///< e^T Omega e at the solution
-  double squared{0.0};         ///< LoopFit::squared with respect to all others that are believed
-  double chance{0.0};          ///< chanceOf() that fit
-  std::size_t supporters{0};   ///< loops nearby that agree with it
+  double weight{0.0};         ///< 1 if it is believed, 0 if not
+  double chi_square{0.0};     ///< e^T Omega e at the solution
+  double squared{0.0};        ///< LoopFit::squared with respect to all others that are believed
+  double chance{0.0};         ///< chanceOf() that fit
+  std::size_t supporters{0};  ///< loops nearby that agree with it
   [[nodiscard]] bool isBelieved() const { return weight > 0.0; }
 };
 
 struct RobustReport {
-  SolveStatus status{SolveStatus::kConverged};
+  /// Weights are 1 or 0; chi-squares after the solve are of what is believed alone.
+  SolveReport solution;
   std::vector<LoopVerdict> loops;  ///< all of the graph, in its order
-  std::vector<double> weights;     ///< of all constraints
-  double chi_square{0.0};          ///< sum of e^T Omega e over all that is believed
   int rounds{0};
-  std::string message;             ///< what went wrong, or was left open
 };
 
 /// Solves a graph of which any loop may be false, and tells the false ones from the true ones.
@@ -68,16 +66,17 @@ struct RobustReport {
 ///  3. the believed loop that fits worst is withdrawn if it fails the gate: one at a time, since a
 ///     false loop makes its neighbours look bad (data snooping: Baarda 1968; Kok 1984);
 ///  4. loops are believed that pass the gate and whose fit is no accident: of false loops, fewer
-///     than RobustConfig::accidents in all would fit as well. That is an a-contrario test (Desolneux,
-///     Moisan and Morel, "Meaningful alignments", IJCV 40, 2000, definition 2), which needs
-///     no covariances of the right scale, only of the right shape. Loops with agreeing neighbours
-///     (Latif, Cadena and Neira, "Robust loop closing over time", IJRR 32, 2013, group loops by the
-///     same thought) pass more easily;
-///  5. where that comes to a halt, the one loop is presumed to be right for which the odds are best,
+///     than RobustConfig::accidents in all would fit as well. That is an a-contrario test
+///     (Desolneux, Moisan and Morel, "Meaningful alignments", IJCV 40, 2000, definition 2), which
+///     needs no covariances of the right scale, only of the right shape. Loops with agreeing
+///     neighbours (Latif, Cadena and Neira, "Robust loop closing over time", IJRR 32, 2013, group
+///     loops by the same thought) pass more easily;
+///  5. where that comes to a halt, the one loop is presumed to be right for which the odds are
+///  best,
 ///     with those that agree with it, and the rounds go on.
-/// Unlike RRR no cluster is solved for alone, unlike pairwise consistency maximisation (Mangelson et
-/// al. 2018) no clique is looked for, and unlike graduated non-convexity no false loop ever pulls
-/// while its weight shrinks.
+/// Unlike RRR no cluster is solved for alone, unlike pairwise consistency maximisation (Mangelson
+/// et al. 2018) no clique is looked for, and unlike graduated non-convexity no false loop ever
+/// pulls while its weight shrinks.
 ///
 /// Deterministic. Costs some ten factorisations for a graph whose loops are many.
 /// @throws std::invalid_argument for a wrong configuration

@@ -83,8 +83,8 @@ Eigen::MatrixXd SelectedInverse::gather(const std::vector<int>& rows) {
       }
     }
     for (std::size_t i = j; i < size; ++i) {
-      const double value = panel.values(position_[static_cast<std::size_t>(rows[i])],
-                                        rows[j] - panel.first);
+      const double value =
+          panel.values(position_[static_cast<std::size_t>(rows[i])], rows[j] - panel.first);
       result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = value;
       result(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = value;
     }
