@@ -1,0 +1,126 @@
+#include "omega_slam/graph/robust_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "omega_slam/graph/solver.h"
+#include "support/false_loops.h"
+#include "support/poses.h"
+#include "support/seeds.h"
+
+namespace omega_slam::graph {
+namespace {
+
+PoseGraph solved(PoseGraph graph) {
+  SolverConfig config;
+  config.kernels.loop.kind = KernelKind::kNone;
+  config.limits.max_iterations = 100;
+  solve(graph, config);
+  return graph;
+}
+
+double worstGap(const PoseGraph& a, const PoseGraph& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.poses.size(); ++i) {
+    worst = std::max(worst, distance(a.poses[i], b.poses[i]));
+  }
+  return worst;
+}
+
+std::size_t countBelieved(const RobustReport& report, std::size_t first, std::size_t end) {
+  return static_cast<std::size_t>(
+      std::count_if(report.loops.begin(), report.loops.end(), [&](const LoopVerdict& loop) {
+        return loop.constraint >= first && loop.constraint < end && loop.isBelieved();
+      }));
+}
+
+struct FalseCase {
+  int groups;
+  int of_each;
+};
+
+class FalseLoops : public testing::TestWithParam<FalseCase> {};
+
+TEST_P(FalseLoops, AreNamedAndDoNotBendTheGraph) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    auto problem = test::drivenRounds({}, random);
+    const PoseGraph clean = solved(problem.graph);
+    const std::size_t true_end = problem.graph.constraints.size();
+    test::addFalseLoops(problem, GetParam().groups, GetParam().of_each, random);
+    const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+    EXPECT_EQ(report.solution.status, SolveStatus::kConverged) << report.solution.message;
+    EXPECT_EQ(countBelieved(report, true_end, problem.graph.constraints.size()), 0U);
+    EXPECT_GE(countBelieved(report, 0, true_end), 79U) << "of 80 true ones";
+    EXPECT_LT(worstGap(problem.graph, clean), 0.02);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FalseLoopsLaws, FalseLoops,
+                         testing::Values(FalseCase{20, 1}, FalseCase{80, 1}, FalseCase{8, 5}),
+                         [](const auto& a_case) {
+                           return std::to_string(a_case.param.groups) + "GroupsOf" +
+                                  std::to_string(a_case.param.of_each);
+                         });
+
+TEST(RobustLoopsLaws, WithoutFalseLoopsIsThePlainSolution) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const auto problem = test::drivenRounds({}, random);
+    PoseGraph graph = problem.graph;
+    const RobustReport report = solveWithDoubtfulLoops(graph);
+    EXPECT_EQ(countBelieved(report, 0, graph.constraints.size()), report.loops.size());
+    EXPECT_LT(worstGap(graph, solved(problem.graph)), 1e-3);
+  }
+}
+
+TEST(RobustLoopsLaws, PosesGivenDoNotMatter) {
+  std::mt19937_64 random(5);
+  auto problem = test::drivenRounds({}, random);
+  test::addFalseLoops(problem, 20, 1, random);
+  PoseGraph scattered = problem.graph;
+  for (std::size_t i = 1; i < scattered.poses.size(); ++i) {
+    scattered.poses[i] = test::randomPose(20.0, 3.0, random);
+  }
+  const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+  EXPECT_EQ(solveWithDoubtfulLoops(scattered).solution.weights, report.solution.weights);
+  EXPECT_LT(worstGap(scattered, problem.graph), 1e-9);
+}
+
+/// Variances a hundred times too large, or somewhat too small.
+TEST(RobustLoopsLaws, BearsInformationOfTheWrongScale) {
+  for (const double confidence : {0.01, 2.0}) {
+    SCOPED_TRACE(confidence);
+    std::mt19937_64 random(9);
+    auto problem = test::drivenRounds({10, 3, 0.02, confidence}, random);
+    const PoseGraph clean = solved(problem.graph);
+    const std::size_t true_end = problem.graph.constraints.size();
+    test::addFalseLoops(problem, 20, 1, random);
+    test::addFalseLoops(problem, 4, 5, random);
+    const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+    EXPECT_EQ(countBelieved(report, true_end, problem.graph.constraints.size()), 0U);
+    EXPECT_LT(worstGap(problem.graph, clean), 0.05);
+  }
+}
+
+TEST(RobustLoopsLaws, ReportAgreesWithTheGraph) {
+  std::mt19937_64 random(2);
+  auto problem = test::drivenRounds({}, random);
+  test::addFalseLoops(problem, 10, 1, random);
+  const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+  ASSERT_EQ(report.loops.size(), 90U);
+  for (const LoopVerdict& loop : report.loops) {
+    EXPECT_EQ(report.solution.weights[loop.constraint], loop.weight);
+    const bool is_far = loop.squared >= 25.0;
+    EXPECT_EQ(loop.standing == LoopStanding::kContradicted, is_far && !loop.isBelieved());
+    EXPECT_FALSE(is_far && loop.isBelieved());
+  }
+  EXPECT_LT(report.solution.chi_square, 1.5 * 3.0 * 80.0) << "of the loops that are believed";
+  EXPECT_GT(report.solution.factorizations, 0);
+}
+
+}  // namespace
+}  // namespace omega_slam::graph
