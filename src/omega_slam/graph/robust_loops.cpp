@@ -104,7 +104,8 @@ bool Examination::updateFits() {
 /// Chance up to which a loop's fit is no accident.
 double Examination::limitOf(const DoubtfulLoop& loop) const {
   const double alone = config_.accidents / static_cast<double>(loops_.size());
-  return loop.supporters.empty() ? alone : std::max(alone, config_.supported_chance);
+  return loop.supporters.empty() ? std::min(alone, config_.supported_chance)
+                                 : config_.supported_chance;
 }
 
 bool Examination::withdrawWorst() {
@@ -206,8 +207,8 @@ LoopVerdict Examination::verdictOn(const DoubtfulLoop& loop) const {
   if (loop.is_tie) {
     verdict.standing = LoopStanding::kOnlyTie;
   } else if (loop.is_believed) {
-    verdict.standing = verdict.chance < kReluctance * limitOf(loop) ? LoopStanding::kConfirmed
-                                                                    : LoopStanding::kLikely;
+    const bool is_sure = !loop.is_presumed || verdict.chance < limitOf(loop);
+    verdict.standing = is_sure ? LoopStanding::kConfirmed : LoopStanding::kLikely;
   } else if (loop.fit.squared >= config_.gate * config_.gate) {
     verdict.standing = LoopStanding::kContradicted;
   }

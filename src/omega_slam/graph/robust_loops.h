@@ -12,9 +12,10 @@ namespace omega_slam::graph {
 struct RobustConfig {
   /// [standard deviations] A loop that lies farther off from what the rest says is not believed.
   double gate{5.0};
-  /// How many loops would be believed by accident, one examination of all, if all were false.
+  /// How many loops would be believed by accident in one examination if all were false.
   double accidents{0.1};
-  /// Chance to fit as well by accident up to which a loop is believed that agrees with others.
+  /// Chance to fit as well by accident up to which a loop is believed that agrees with others; no
+  /// loop is believed beyond it.
   double supported_chance{1e-3};
   SupportConfig support;  ///< which loops agree
   /// Of examinations, each with a solve.

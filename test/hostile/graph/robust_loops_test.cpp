@@ -159,6 +159,18 @@ TEST(RobustLoopsHostile, HeldNodesStay) {
   EXPECT_NEAR(graph.poses[6].x, 4.025, 1e-3);
 }
 
+TEST(RobustLoopsHostile, PartsThatAreHeldNeedNoTie) {
+  PoseGraph graph = drive(8);
+  graph.constraints.erase(graph.constraints.begin() + 3);
+  graph.held = {0, 4};
+  graph.poses[4] = {4.0, 0.0, 0.0};
+  graph.constraints.push_back(tie(1, 5, -20.0, ConstraintKind::kLoop));
+  graph.constraints.push_back(tie(2, 6, 4.0, ConstraintKind::kLoop));
+  const RobustReport report = solveWithDoubtfulLoops(graph);
+  EXPECT_EQ(report.loops[0].standing, LoopStanding::kContradicted);
+  EXPECT_EQ(report.loops[1].standing, LoopStanding::kConfirmed);
+}
+
 TEST(RobustLoopsHostile, RoundsThatRunOutAreSaid) {
   std::mt19937_64 random(6);
   auto problem = test::drivenRounds({}, random);

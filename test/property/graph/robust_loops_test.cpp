@@ -106,6 +106,34 @@ TEST(RobustLoopsLaws, BearsInformationOfTheWrongScale) {
   }
 }
 
+/// After a long drive with poor odometry, the first loops fit whatever they say.
+TEST(RobustLoopsLaws, VaguePredictionConfirmsNothing) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    auto problem = test::drivenRounds({15, 3, 0.06, 1.0}, random);
+    const PoseGraph clean = solved(problem.graph);
+    const std::size_t true_end = problem.graph.constraints.size();
+    test::addFalseLoops(problem, 60, 1, random);
+    const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+    EXPECT_LE(countBelieved(report, true_end, problem.graph.constraints.size()), 1U);
+    EXPECT_GE(countBelieved(report, 0, true_end), 117U) << "of 120 true ones";
+    EXPECT_LT(worstGap(problem.graph, clean), 0.5);
+  }
+}
+
+/// One loop after a long drive: chance would let many pass, but nothing speaks against it.
+TEST(RobustLoopsLaws, LoneLoopIsPresumedToBeRight) {
+  std::mt19937_64 random(8);
+  auto problem = test::drivenRounds({15, 2, 0.08, 1.0}, random);
+  auto& constraints = problem.graph.constraints;
+  constraints.erase(constraints.begin() + static_cast<std::ptrdiff_t>(problem.truth.size()) - 1,
+                    constraints.end() - 1);
+  const RobustReport report = solveWithDoubtfulLoops(problem.graph);
+  ASSERT_EQ(report.loops.size(), 1U);
+  EXPECT_EQ(report.loops[0].standing, LoopStanding::kLikely) << report.loops[0].chance;
+}
+
 TEST(RobustLoopsLaws, ReportAgreesWithTheGraph) {
   std::mt19937_64 random(2);
   auto problem = test::drivenRounds({}, random);

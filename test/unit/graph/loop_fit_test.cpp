@@ -54,11 +54,16 @@ TEST(LoopFitUnit, ToPosesThatAreKnownIsChiSquare) {
 }
 
 TEST(LoopFitUnit, PredictionIsTurnedIntoTheLoopsAxes) {
-  // The loop sees along its own x, which is y of `from`: there the prediction is vague.
+  // The loop measures along an axis that is turned by 30 degrees. There alone the prediction is
+  // vague, and there alone it is off.
+  Constraint loop = someLoop();
+  loop.T_from_to.theta = kPi / 6.0;
+  const Eigen::Vector2d along(std::cos(kPi / 6.0), std::sin(kPi / 6.0));
   PoseGraph graph;
-  graph.poses = {{}, {1.0, 0.3, 0.5 * kPi}};
-  const Eigen::Matrix3d prediction = Eigen::Vector3d(0.0, 0.08, 0.0).asDiagonal();
-  const LoopFit fit = fitOfNewLoop(graph, someLoop(), prediction);
+  graph.poses = {{}, {1.0 + 0.3 * along.x(), 0.3 * along.y(), kPi / 6.0}};
+  Eigen::Matrix3d prediction = Eigen::Matrix3d::Zero();
+  prediction.topLeftCorner<2, 2>() = 0.08 * along * along.transpose();
+  const LoopFit fit = fitOfNewLoop(graph, loop, prediction);
   EXPECT_NEAR(fit.squared, 0.3 * 0.3 / (0.01 + 0.08), 1e-12);
   EXPECT_NEAR(fit.spread, 0.3 * 0.2 * 0.05, 1e-12);
 }
