@@ -26,9 +26,10 @@ constexpr double kMedianSquared = 2.37;  // 50 %
 constexpr std::size_t kSample = 20;      // loops from which the scale of covariances can be told
 constexpr double kHeavyTail = 4.0;       // by which a variance so found is widened
 constexpr double kFairOdds = 1.0;
-constexpr double kFirstShare = 1e-4;  // of the chance allowed; all of it some rounds later
-constexpr double kShareGrowth = 10.0;
-const DescentLimits kRoundLimits{20, 1e-4};
+constexpr double kFirstChance = 1e-7;  // up to which loops are believed in the first round
+constexpr double kChanceGrowth = 10.0;
+// Each round is solved until it rests: small unrest looks large in a loop that little else ties.
+const DescentLimits kRoundLimits{20, 1e-8};
 
 KernelConfig switches() {
   KernelConfig kernels;
@@ -45,9 +46,11 @@ class Examination {
  private:
   [[nodiscard]] DescentEnd solveRound(FirstGuess guess, const DescentLimits& limits);
   [[nodiscard]] bool updateFits();
+  [[nodiscard]] double limitAlone() const;
   [[nodiscard]] double limitOf(const DoubtfulLoop& loop) const;
   bool withdrawWorst();
   bool believeConfirmed();
+  bool believeSurest();
   bool presumeLikeliest();
   bool reopen();
   [[nodiscard]] std::optional<bool> advance(FirstGuess guess);
@@ -61,7 +64,7 @@ class Examination {
   Weighing weighing_;
   GraphSystem system_;
   ErrorSpace space_;
-  double share_{kFirstShare};  ///< of the chance allowed
+  double chance_{kFirstChance};  ///< up to which loops are believed at present
   bool is_reopened_{false};
   int iterations_{0};
 };
@@ -101,11 +104,14 @@ bool Examination::updateFits() {
   return true;
 }
 
-/// Chance up to which a loop's fit is no accident.
+/// Chance up to which the fit of a loop that stands alone is no accident.
+double Examination::limitAlone() const {
+  const auto count = static_cast<double>(std::max<std::size_t>(loops_.size(), 1));
+  return std::min(config_.accidents / count, config_.supported_chance);
+}
+
 double Examination::limitOf(const DoubtfulLoop& loop) const {
-  const double alone = config_.accidents / static_cast<double>(loops_.size());
-  return loop.supporters.empty() ? std::min(alone, config_.supported_chance)
-                                 : config_.supported_chance;
+  return loop.supporters.empty() ? limitAlone() : config_.supported_chance;
 }
 
 bool Examination::withdrawWorst() {
@@ -137,11 +143,22 @@ bool Examination::believeConfirmed() {
   for (DoubtfulLoop& loop : loops_) {
     if (!loop.is_believed && loop.withdrawals < kPatience &&
         loop.fit.squared < config_.gate * config_.gate &&
-        chanceOf(loop.fit, space_) < share_ * limitOf(loop)) {
+        chanceOf(loop.fit, space_) < std::min(chance_, limitOf(loop))) {
       loop.is_believed = is_any = true;
     }
   }
   return is_any;
+}
+
+/// What is surest: allows for more chance until something is believed.
+bool Examination::believeSurest() {
+  while (!believeConfirmed()) {
+    if (chance_ >= config_.supported_chance) {
+      return false;
+    }
+    chance_ = std::min(kChanceGrowth * chance_, config_.supported_chance);
+  }
+  return true;
 }
 
 /// A last chance for what was withdrawn while much was wrong.
@@ -235,10 +252,12 @@ std::optional<bool> Examination::advance(FirstGuess guess) {
     return std::nullopt;
   }
   const bool is_withdrawn = withdrawWorst();
-  const bool is_new = believeConfirmed();
-  const bool is_strict = share_ < 1.0;
-  share_ = std::min(1.0, kShareGrowth * share_);
-  if (is_withdrawn || is_new || is_strict || presumeLikeliest()) {
+  const bool is_new = is_withdrawn ? believeConfirmed() : believeSurest();
+  if (is_withdrawn || is_new) {
+    chance_ = std::max(chance_, std::min(kChanceGrowth * chance_, limitAlone()));
+    return true;
+  }
+  if (presumeLikeliest()) {
     return true;
   }
   const bool is_first_halt = !std::exchange(is_reopened_, true);
