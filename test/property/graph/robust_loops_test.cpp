@@ -140,9 +140,10 @@ TEST(RobustLoopsLaws, ReportAgreesWithTheGraph) {
   test::addFalseLoops(problem, 10, 1, random);
   const RobustReport report = solveWithDoubtfulLoops(problem.graph);
   ASSERT_EQ(report.loops.size(), 90U);
+  const double gate = RobustConfig{}.gate;
   for (const LoopVerdict& loop : report.loops) {
     EXPECT_EQ(report.solution.weights[loop.constraint], loop.weight);
-    const bool is_far = loop.squared >= 25.0;
+    const bool is_far = loop.squared >= gate * gate;
     EXPECT_EQ(loop.standing == LoopStanding::kContradicted, is_far && !loop.isBelieved());
     EXPECT_FALSE(is_far && loop.isBelieved());
   }

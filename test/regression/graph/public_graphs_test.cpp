@@ -6,6 +6,7 @@
 #include "omega_slam/graph/graph_file.h"
 #include "omega_slam/graph/incremental_solver.h"
 #include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/robust_loops.h"
 #include "omega_slam/graph/solver.h"
 #include "support/paths.h"
 
@@ -64,6 +65,15 @@ TEST_P(PublicGraphs, AreSolvedAsTheyGrow) {
   }
   EXPECT_NEAR(chiSquare(solver.graph()), GetParam().least, 0.01 * GetParam().least);
   EXPECT_NEAR(solver.finish().chi_square, GetParam().least, 1e-4 * GetParam().least);
+}
+
+TEST_P(PublicGraphs, KeepTheirLoopsWhenAnyMayBeFalse) {
+  const RobustReport report = solveWithDoubtfulLoops(graph_);
+  EXPECT_EQ(report.solution.status, SolveStatus::kConverged) << report.solution.message;
+  for (const LoopVerdict& loop : report.loops) {
+    EXPECT_TRUE(loop.isBelieved()) << loop.constraint << " is " << toString(loop.standing);
+  }
+  EXPECT_NEAR(report.solution.chi_square, GetParam().least, 1e-4 * GetParam().least);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PublicGraphs,
