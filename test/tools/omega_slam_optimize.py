@@ -75,6 +75,20 @@ class OptimizeTest(unittest.TestCase):
         self.assertIn('Converged after 1 iterations', self.solve(square(), '--method', 'linear',
                                                                  '--guess', 'odometry'))
 
+    def testNamesFalseLoops(self):
+        drive = ''.join(EDGE.format(k, k + 1, 1.0, 0, QUARTER) for k in range(40))
+        drive += ''.join(EDGE.format(k, k + 4, 0, 0, 2 * math.pi) for k in range(37))
+        said = self.solve(drive + EDGE.format(3, 30, 5, 5, 0), '--loops', 'doubt',
+                          '--residuals', 'out.csv')
+        self.assertEqual([line for line in said.split('\n') if line.startswith('loop ')],
+                         [line for line in said.split('\n')
+                          if line.startswith('loop 3 - 30 is contradicted: ')])
+        self.assertIn('1 constraints have a weight below one half', said)
+        rows = (self.folder / 'out.csv').read_text().split('\n')[1:-1]
+        doubted = [row for row in rows if row.endswith(',0')]
+        self.assertEqual(len(doubted), 1)
+        self.assertTrue(doubted[0].startswith('3,30,loop,'))
+
     def testThinsOut(self):
         rounds = ''.join(EDGE.format(k, k + 1, 1.0, 0, QUARTER) for k in range(100))
         rounds += ''.join(EDGE.format(k, k + 4, 0, 0, 2 * math.pi) for k in range(97))
