@@ -11,7 +11,7 @@ using geometry::Pose2;
 namespace {
 
 constexpr int kHalvings = 8;       // of a step that leads uphill
-constexpr double kSlowGain = 0.2;  // an iteration that lowers the cost by less hardly moves Omega
+constexpr double kSlowGain = 0.2;  // of an iteration: Omega hardly moves
 constexpr double kFirstDamping = 1e-4;
 constexpr double kMaxDamping = 1e8;
 
@@ -74,26 +74,26 @@ void moveBy(std::vector<Pose2>& poses, const Eigen::VectorXd& step, double share
 DescentAccount descendGaussNewton(const DescentTask& task, const DescentLimits& limits) {
   DescentAccount account;
   GraphCost costs = fill(task);
-  bool is_nearby = false;  // to where Omega was factorised
+  const auto promisesTooLittle = [&](const Eigen::VectorXd& step) {
+    return step.dot(task.system.form().xi()) <= limits.relative_gain * costs.robust;
+  };
   for (int iteration = 0; iteration < limits.max_iterations; ++iteration) {
-    const auto step = is_nearby ? task.system.solveNearby() : task.system.solve();
+    const auto step = task.system.solve();
     if (!step) {
       account.end = DescentEnd::kSingular;
       return account;
     }
-    if (step->dot(task.system.form().xi()) <= limits.relative_gain * costs.robust) {
-      return account;  // all that the step promises is too little
+    if (promisesTooLittle(*step)) {
+      return account;
     }
     const auto moved = takeStep(task, *step, costs);
     const double gain = moved ? 1.0 - moved->robust / costs.robust : 0.0;
     costs = moved.value_or(costs);
     account.chi_squares.push_back(costs.chi_square);
-    if (gain <= limits.relative_gain && !is_nearby) {
+    // Near the minimum the last factor, which is at hand, says well enough what is left to gain.
+    if (gain <= limits.relative_gain ||
+        (gain < kSlowGain && promisesTooLittle(task.system.solveFor(task.system.form().xi())))) {
       return account;
-    }
-    is_nearby = moved.has_value() && gain > limits.relative_gain && gain < kSlowGain;
-    if (!moved) {
-      fill(task);
     }
   }
   account.end = DescentEnd::kIterationLimit;

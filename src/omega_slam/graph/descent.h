@@ -42,8 +42,8 @@ struct DescentAccount {
   std::vector<double> chi_squares;  ///< sum of e^T Omega e after each iteration
 };
 
-/// Gauss-Newton. A step that leads uphill is halved, again and again. Late iterations hardly change
-/// Omega, so the last factorisation serves them as well.
+/// Gauss-Newton. A step that leads uphill is halved, again and again. Near the minimum Omega hardly
+/// changes, so the last factorisation tells whether another iteration is worth its price.
 DescentAccount descendGaussNewton(const DescentTask& task, const DescentLimits& limits);
 
 /// Levenberg-Marquardt: Omega's diagonal grows by a share that shrinks while steps succeed and

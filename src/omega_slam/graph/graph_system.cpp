@@ -1,14 +1,6 @@
 #include "omega_slam/graph/graph_system.h"
 
 namespace omega_slam::graph {
-namespace {
-
-// A step need not be exact: the next iteration mends it. More steps than these, and a factorisation
-// is about as cheap.
-constexpr double kStepTolerance = 1e-2;
-constexpr int kMaxSteps = 5;
-
-}  // namespace
 
 void GraphSystem::prepare(const PoseGraph& graph, const std::vector<NodeId>& held) {
   std::vector<std::pair<NodeId, NodeId>> ties;
@@ -37,11 +29,6 @@ std::optional<Eigen::VectorXd> GraphSystem::solve() {
     return std::nullopt;
   }
   return mu;
-}
-
-std::optional<Eigen::VectorXd> GraphSystem::solveNearby() {
-  auto mu = cholesky_->solveNearby(*form_, kStepTolerance, kMaxSteps);
-  return mu ? mu : solve();
 }
 
 }  // namespace omega_slam::graph

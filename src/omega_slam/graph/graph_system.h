@@ -25,10 +25,6 @@ class GraphSystem {
   /// Factorises Omega and solves. @return none where Omega is not positive definite
   [[nodiscard]] std::optional<Eigen::VectorXd> solve();
 
-  /// Solves with the last factorisation as a guide, if that is quick: for an Omega that has hardly
-  /// changed since. Else factorises.
-  [[nodiscard]] std::optional<Eigen::VectorXd> solveNearby();
-
   /// Solves for any right side with the last factorisation.
   [[nodiscard]] Eigen::VectorXd solveFor(const Eigen::VectorXd& right) const {
     return cholesky_->solve(right);

@@ -1,120 +1,189 @@
 #include "omega_slam/graph/sparse_cholesky.h"
 
-// CHOLMOD's header before Eigen's wrapper, which expects it.
-#include <cholmod.h>
-
-#include <Eigen/CholmodSupport>
-#include <vector>
+#include <algorithm>
+#include <utility>
 
 namespace omega_slam::graph {
+
 namespace {
 
-/// A view, not a copy; CHOLMOD does not write to it.
-cholmod_sparse lowerOf(const Eigen::SparseMatrix<double>& matrix) {
-  return Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Nodes [first, end) of a front, with their rows and columns.
+struct FrontPart {
+  double* elements;
+  Index stride;  ///< from column to column
+  int first;
+  int end;
+
+  [[nodiscard]] double* at(int row, int column) const {
+    return elements + 3 * (column - first) * stride + 3 * (row - first);
+  }
+};
+
+/// Adds a child's update to its parent's front: those of its columns that fall into the part.
+/// @param rows of the parent, by node of the child
+void addUpdate(const Eigen::MatrixXd& update, const std::vector<int>& rows, const FrontPart& part) {
+  const auto count = static_cast<Index>(rows.size());
+  const auto indexOf = [&](int row) {
+    return std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
+  };
+  const int* const to = rows.data();
+  for (Index column = indexOf(part.first); column < indexOf(part.end); ++column) {
+    for (Index row = column; row < count;) {
+      Index end = row + 1;  // of rows that lie side by side in both
+      while (end < count && to[end] - to[row] == end - row) {
+        ++end;
+      }
+      const Index length = 3 * (end - row);
+      double* target = part.at(to[row], to[column]);
+      for (Index axis = 0; axis < 3; ++axis, target += part.stride) {
+        Eigen::Map<VectorXd>(target, length) +=
+            update.col(3 * column + axis).segment(3 * row, length);
+      }
+      row = end;
+    }
+  }
 }
 
 }  // namespace
 
-struct SparseCholesky::Cholmod {
-  Cholmod() { cholmod_start(&common); }
-  ~Cholmod() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&work_y, &common);
-    cholmod_free_dense(&work_e, &common);
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
-
-  cholmod_common common{};
-  cholmod_factor* factor{nullptr};
-  // Kept from solve to solve.
-  cholmod_dense* solution{nullptr};
-  cholmod_dense* work_y{nullptr};
-  cholmod_dense* work_e{nullptr};
-};
-
 SparseCholesky::SparseCholesky(const InformationForm& form)
-    : cholmod_(std::make_unique<Cholmod>()) {
-  cholmod_common& common = cholmod_->common;
-  common.print = 0;  // a matrix that can't be factorised is an answer, not an event
-  cholmod_sparse blocks = lowerOf(form.blocks());
-  std::vector<int> order(blocks.ncol);
-  cholmod_amd(&blocks, nullptr, 0, order.data(), &common);
-  std::vector<int> rows;
-  rows.reserve(3 * order.size());
-  for (const int node : order) {
-    rows.insert(rows.end(), {3 * node, 3 * node + 1, 3 * node + 2});
+    : plan_(form.blocks()), elements_(plan_.elements) {
+  const Eigen::SparseMatrix<double>& blocks = form.blocks();
+  targets_.reserve(static_cast<std::size_t>(blocks.nonZeros()));
+  for (int column = 0; column < blocks.cols(); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator block(blocks, column); block; ++block) {
+      targets_.push_back(targetOf(plan_.place[block.row()], plan_.place[column]));
+    }
   }
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_GIVEN;
-  common.postorder = 1;
-  cholmod_sparse omega = lowerOf(form.omega());
-  cholmod_->factor = cholmod_analyze_p(&omega, rows.data(), nullptr, 0, &common);
 }
 
-SparseCholesky::~SparseCholesky() = default;
+ConstPanelMap SparseCholesky::columnsOf(const Panel& panel) const {
+  return {elements_.data() + panel.first_element, 3 * panel.height(), 3 * panel.count};
+}
+
+SparseCholesky::Target SparseCholesky::targetOf(int row, int column) const {
+  const auto [earlier, later] = std::minmax(row, column);
+  const Panel& panel = plan_.panels[static_cast<std::size_t>(plan_.panel_of[earlier])];
+  const Index stride = 3 * panel.height();
+  return {panel.first_element + 3 * (earlier - panel.first) * stride + 3 * panel.rowOf(later),
+          stride, row < column};
+}
+
+void SparseCholesky::place(const Eigen::SparseMatrix<double>& omega) {
+  using Strided = Eigen::OuterStride<>;
+  elements_.setZero();
+  auto target = targets_.begin();
+  for (Index column = 0; column < omega.cols(); column += 3) {
+    const Index begin = omega.outerIndexPtr()[column];
+    const Index stride = omega.outerIndexPtr()[column + 1] - begin;
+    for (Index row = 0; row < stride; row += 3, ++target) {
+      const Eigen::Map<const Eigen::Matrix3d, 0, Strided> block(omega.valuePtr() + begin + row,
+                                                                Strided(stride));
+      Eigen::Map<Eigen::Matrix3d, 0, Strided> place(elements_.data() + target->element,
+                                                    Strided(target->stride));
+      if (target->is_transposed) {
+        place = block.transpose();
+      } else {
+        place = block;
+      }
+    }
+  }
+}
+
+bool SparseCholesky::eliminatePanel(std::size_t index, std::vector<Update>& updates) {
+  const Panel& panel = plan_.panels[index];
+  const auto is_other = [&](const Update& update) {
+    return plan_.panels[update.panel].parent != static_cast<int>(index);
+  };
+  const auto children = std::find_if(updates.rbegin(), updates.rend(), is_other).base();
+  const auto addChildren = [&](const FrontPart& part) {
+    std::for_each(children, updates.end(), [&](const Update& child) {
+      addUpdate(child.values, plan_.panels[child.panel].in_parent, part);
+    });
+  };
+  PanelMap columns(elements_.data() + panel.first_element, 3 * panel.height(), 3 * panel.count);
+  addChildren({columns.data(), columns.rows(), 0, panel.count});
+  if (!eliminate(columns)) {
+    return false;
+  }
+  Update update{index, leftBy(columnsOf(panel))};
+  addChildren({update.values.data(), update.values.rows(), panel.count, panel.height()});
+  updates.erase(children, updates.end());
+  if (!panel.rows.empty()) {
+    updates.push_back(std::move(update));
+  }
+  return true;
+}
 
 bool SparseCholesky::factorize(const InformationForm& form) {
-  cholmod_sparse omega = lowerOf(form.omega());
-  cholmod_factorize(&omega, cholmod_->factor, &cholmod_->common);
-  const auto& factor = *cholmod_->factor;
-  return cholmod_->common.status == CHOLMOD_OK && factor.minor == factor.n;
-}
-
-Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& xi) const {
-  cholmod_dense right = Eigen::viewAsCholmod(const_cast<Eigen::VectorXd&>(xi));
-  cholmod_solve2(CHOLMOD_A, cholmod_->factor, &right, nullptr, &cholmod_->solution, nullptr,
-                 &cholmod_->work_y, &cholmod_->work_e, &cholmod_->common);
-  return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(cholmod_->solution->x),
-                                           xi.size());
-}
-
-std::optional<Eigen::VectorXd> SparseCholesky::solveNearby(const InformationForm& form,
-                                                           double tolerance, int max_steps) const {
-  const auto omega = form.omega().selfadjointView<Eigen::Lower>();
-  Eigen::VectorXd residual = form.xi();
-  Eigen::VectorXd preconditioned = solve(residual);
-  Eigen::VectorXd direction = preconditioned;
-  Eigen::VectorXd mu = Eigen::VectorXd::Zero(residual.size());
-  double length = residual.dot(preconditioned);
-  const double enough = tolerance * tolerance * length;
-  for (int step = 0; step < max_steps; ++step) {
-    const Eigen::VectorXd pushed = omega * direction;
-    const double share = length / direction.dot(pushed);
-    mu += share * direction;
-    residual -= share * pushed;
-    preconditioned = solve(residual);
-    const double shorter = residual.dot(preconditioned);
-    if (shorter <= enough && mu.allFinite()) {
-      return mu;
+  place(form.omega());
+  std::vector<Update> updates;  // not yet taken in, those of a panel's children last
+  for (std::size_t index = 0; index < plan_.panels.size(); ++index) {
+    if (!eliminatePanel(index, updates)) {
+      return false;
     }
-    direction = preconditioned + (shorter / length) * direction;
-    length = shorter;
   }
-  return std::nullopt;
+  return true;
+}
+
+VectorXd SparseCholesky::solve(const VectorXd& xi) const {
+  VectorXd mu(xi.size());  // in the order of elimination
+  for (Index node = 0; node < plan_.place.size(); ++node) {
+    mu.segment<3>(3 * plan_.place[node]) = xi.segment<3>(3 * node);
+  }
+  VectorXd front;  // mu in the rows of a panel
+  for (const Panel& panel : plan_.panels) {
+    const Index own = 3 * panel.count;
+    front.setZero(3 * panel.height());
+    front.head(own) = mu.segment(3 * panel.first, own);
+    substituteForward(columnsOf(panel), front);
+    mu.segment(3 * panel.first, own) = front.head(own);
+    for (std::size_t i = 0; i < panel.rows.size(); ++i) {
+      mu.segment<3>(3 * panel.rows[i]) += front.segment<3>(own + 3 * static_cast<Index>(i));
+    }
+  }
+  for (auto panel = plan_.panels.rbegin(); panel != plan_.panels.rend(); ++panel) {
+    const Index own = 3 * panel->count;
+    front.resize(3 * panel->height());
+    front.head(own) = mu.segment(3 * panel->first, own);
+    for (std::size_t i = 0; i < panel->rows.size(); ++i) {
+      front.segment<3>(own + 3 * static_cast<Index>(i)) = mu.segment<3>(3 * panel->rows[i]);
+    }
+    substituteBackward(columnsOf(*panel), front);
+    mu.segment(3 * panel->first, own) = front.head(own);
+  }
+  VectorXd result(xi.size());
+  for (Index node = 0; node < plan_.place.size(); ++node) {
+    result.segment<3>(3 * node) = mu.segment<3>(3 * plan_.place[node]);
+  }
+  return result;
 }
 
 FactorColumns SparseCholesky::columns() const {
-  cholmod_factor* factor = cholmod_copy_factor(cholmod_->factor, &cholmod_->common);
-  cholmod_change_factor(CHOLMOD_REAL, true, false, true, true, factor, &cholmod_->common);
-  const auto* order = static_cast<const int*>(factor->Perm);
-  const auto* starts = static_cast<const int*>(factor->p);
-  const auto* rows = static_cast<const int*>(factor->i);
-  const auto* values = static_cast<const double*>(factor->x);
-  const int size = static_cast<int>(factor->n);
-  FactorColumns columns{{order, order + size},
-                        {starts, starts + size + 1},
-                        {rows, rows + starts[size]},
-                        {values, values + starts[size]}};
-  cholmod_free_factor(&factor, &cholmod_->common);
+  FactorColumns columns{std::vector<int>(3 * plan_.place.size()), {0}, {}, {}};
+  for (int node = 0; node < plan_.place.size(); ++node) {
+    for (int axis = 0; axis < 3; ++axis) {
+      columns.order[static_cast<std::size_t>(3 * plan_.place[node] + axis)] = 3 * node + axis;
+    }
+  }
+  for (const Panel& panel : plan_.panels) {
+    std::vector<int> rows;
+    for (int node = 0; node < panel.height(); ++node) {
+      const int row = 3 * panel.nodeOf(node);
+      rows.insert(rows.end(), {row, row + 1, row + 2});
+    }
+    const ConstPanelMap values = columnsOf(panel);
+    for (Index column = 0; column < values.cols(); ++column) {
+      columns.rows.insert(columns.rows.end(), rows.begin() + column, rows.end());
+      columns.values.insert(columns.values.end(), values.col(column).data() + column,
+                            values.col(column).data() + values.rows());
+      columns.starts.push_back(static_cast<int>(columns.rows.size()));
+    }
+  }
   return columns;
 }
-
-double SparseCholesky::factorSize() const { return cholmod_->common.lnz; }
-
-double SparseCholesky::factorWork() const { return cholmod_->common.fl; }
 
 }  // namespace omega_slam::graph

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
-#include <optional>
 #include <vector>
 
+#include "omega_slam/graph/dense_elimination.h"
+#include "omega_slam/graph/elimination_plan.h"
 #include "omega_slam/graph/information_form.h"
 
 namespace omega_slam::graph {
@@ -18,47 +18,52 @@ struct FactorColumns {
   std::vector<double> values;
 };
 
-/// Solves Omega mu = xi by a sparse Cholesky factorisation (SuiteSparse CHOLMOD: Davis, "Direct
-/// Methods for Sparse Linear Systems", 2006).
+/// Solves Omega mu = xi by a sparse Cholesky factorisation: multifrontal (Duff and Reid, "The
+/// multifrontal solution of indefinite sparse symmetric linear equations", TOMS 9, 1983; Davis,
+/// "Direct Methods for Sparse Linear Systems", 2006).
 ///
-/// Poses, not single rows, are ordered to keep the factor sparse, by approximate minimum degree:
-/// the graph of the poses is nine times smaller than that of the rows, and no worse a guide. The
-/// ordering and the symbolic factorisation are made once and serve every form of the same pattern.
-/// CHOLMOD decides by the work that each element takes whether columns are taken together in dense
-/// blocks (supernodal) or one by one (simplicial).
+/// Omega is made of 3 x 3 blocks, and its factor of panels of them. Each panel is eliminated
+/// densely and leaves an update for its parent's rows. The plan for it is made once and serves
+/// every form of the same pattern.
 class SparseCholesky {
  public:
-  /// Orders and analyses.
+  /// Plans.
   explicit SparseCholesky(const InformationForm& form);
-  ~SparseCholesky();
-  SparseCholesky(const SparseCholesky&) = delete;
-  SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// @param form of the pattern that was analysed
+  /// @param form of the pattern that was planned for
   /// @return whether Omega is positive definite; if not, there is nothing to solve with
   bool factorize(const InformationForm& form);
 
   /// mu for the Omega that was factorised last. O(elements of the factor).
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& xi) const;
 
-  /// mu for an Omega close to the one that was factorised, by conjugate gradients with the old
-  /// factor as the preconditioner (Golub and Van Loan, "Matrix Computations", section 11.5): much
-  /// cheaper than a factorisation while few steps suffice.
-  /// @param tolerance of the residual, relative to xi, both in the metric of the old Omega
-  /// @return none where `max_steps` steps do not
-  [[nodiscard]] std::optional<Eigen::VectorXd> solveNearby(const InformationForm& form,
-                                                           double tolerance, int max_steps) const;
-
   /// A copy of the factor that was made last. Elements that happen to be zero are kept.
   [[nodiscard]] FactorColumns columns() const;
 
-  /// Elements of the factor, and the work of computing it [floating point operations].
-  [[nodiscard]] double factorSize() const;
-  [[nodiscard]] double factorWork() const;
+  /// Elements of the factor, some of which are zero.
+  [[nodiscard]] Eigen::Index factorSize() const { return plan_.elements; }
 
  private:
-  struct Cholmod;
-  std::unique_ptr<Cholmod> cholmod_;
+  /// Where a block of Omega goes.
+  struct Target {
+    Eigen::Index element;  ///< of the panels
+    Eigen::Index stride;   ///< from column to column
+    bool is_transposed;
+  };
+  /// What a panel leaves to its parent, in the rows below it.
+  struct Update {
+    std::size_t panel;
+    Eigen::MatrixXd values;  ///< lower triangle
+  };
+
+  [[nodiscard]] ConstPanelMap columnsOf(const Panel& panel) const;
+  [[nodiscard]] Target targetOf(int row, int column) const;
+  void place(const Eigen::SparseMatrix<double>& omega);
+  bool eliminatePanel(std::size_t index, std::vector<Update>& updates);
+
+  EliminationPlan plan_;
+  std::vector<Target> targets_;  ///< by block of Omega
+  Eigen::VectorXd elements_;     ///< of all panels
 };
 
 }  // namespace omega_slam::graph
