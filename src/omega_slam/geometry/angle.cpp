@@ -5,6 +5,9 @@
 namespace omega_slam::geometry {
 
 double normalizeAngle(double angle) {
+  if (angle >= -kPi && angle < kPi) {
+    return angle;  // as most are
+  }
   const double wrapped = angle - 2.0 * kPi * std::floor((angle + kPi) / (2.0 * kPi));
   // Rounding may carry a value just below -pi up to exactly pi.
   return wrapped >= kPi ? wrapped - 2.0 * kPi : wrapped;
