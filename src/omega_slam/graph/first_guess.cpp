@@ -25,10 +25,27 @@ void guessByTree(PoseGraph& graph, Growth growth) {
   }
 }
 
+/// Far below half a turn, where the wrong valleys begin. Where a tree is contradicted by more,
+/// chordal headings save iterations, too.
+constexpr double kContradiction = 0.6;  // rad
+
+bool agreesInTurns(const PoseGraph& graph) {
+  return std::all_of(graph.constraints.begin(), graph.constraints.end(),
+                     [&](const Constraint& constraint) {
+                       return constraint.information(2, 2) <= 0.0 ||
+                              std::abs(errorOf(constraint, graph)[2]) < kContradiction;
+                     });
+}
+
 FirstGuess applyBest(PoseGraph& graph) {
+  const std::vector<Pose2> given = graph.poses;
+  guessByTree(graph, Growth::kFewest);
+  if (agreesInTurns(graph)) {
+    return FirstGuess::kTree;
+  }
+  graph.poses = given;
   FirstGuess best = FirstGuess::kGiven;
   double least = chiSquare(graph);
-  const std::vector<Pose2> given = graph.poses;
   std::vector<Pose2> poses = given;
   for (const FirstGuess guess : {FirstGuess::kOdometry, FirstGuess::kTree, FirstGuess::kChordal}) {
     graph.poses = given;

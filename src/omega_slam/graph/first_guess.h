@@ -14,7 +14,8 @@ enum class FirstGuess {
   kOdometry,  ///< each node from the one before it
   kTree,      ///< each node along the fewest constraints from a root
   kChordal,   ///< headings by a linear relaxation, then positions (Carlone et al. 2015)
-  kBest       ///< the one of these whose chi-square is least
+  kBest       ///< kTree if all measured turns agree with it: from there the minimum is quickly
+              ///< found; else the one of these whose chi-square is least
 };
 
 /// The names of guesses as configurations give them, in the order of the enumeration.

@@ -63,11 +63,21 @@ TEST(FirstGuessLaws, HeldNodesStay) {
   }
 }
 
-TEST(FirstGuessLaws, TheBestIsNoWorseThanAnyOfThem) {
+TEST(FirstGuessLaws, TheBestIsTheTreeWhereAllTurnsAgreeWithIt) {
   std::mt19937_64 random(5);
-  const PoseGraph graph = test::randomWalk({60, 30, 0.1, 0.5}, random).graph;
+  PoseGraph graph = test::randomWalk({60, 30, 0.02, 0.5}, random).graph;
+  PoseGraph by_tree = graph;
+  applyGuess(by_tree, FirstGuess::kTree);
+  EXPECT_EQ(applyGuess(graph, FirstGuess::kBest), FirstGuess::kTree);
+  EXPECT_EQ(chiSquare(graph), chiSquare(by_tree));
+}
+
+TEST(FirstGuessLaws, TheBestIsElseNoWorseThanAnyOfThem) {
+  std::mt19937_64 random(5);
+  PoseGraph graph = test::randomWalk({60, 30, 0.1, 0.5}, random).graph;
+  graph.constraints.back().T_from_to.theta += 2.0;
   PoseGraph best = graph;
-  applyGuess(best, FirstGuess::kBest);
+  EXPECT_EQ(applyGuess(best, FirstGuess::kBest), FirstGuess::kChordal);
   EXPECT_LE(chiSquare(best), chiSquare(graph));
   for (const FirstGuess guess : kGuesses) {
     PoseGraph other = graph;
