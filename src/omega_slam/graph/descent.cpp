@@ -10,8 +10,8 @@ using geometry::Pose2;
 
 namespace {
 
-constexpr int kHalvings = 8;       // of a step that leads uphill
-constexpr double kSlowGain = 0.2;  // of an iteration: Omega hardly moves
+constexpr int kHalvings = 8;   // of a step that leads uphill
+constexpr double kKept = 0.9;  // share of a promise
 constexpr double kFirstDamping = 1e-4;
 constexpr double kMaxDamping = 1e8;
 
@@ -74,25 +74,29 @@ void moveBy(std::vector<Pose2>& poses, const Eigen::VectorXd& step, double share
 DescentAccount descendGaussNewton(const DescentTask& task, const DescentLimits& limits) {
   DescentAccount account;
   GraphCost costs = fill(task);
-  const auto promisesTooLittle = [&](const Eigen::VectorXd& step) {
-    return step.dot(task.system.form().xi()) <= limits.relative_gain * costs.robust;
+  const auto promiseOf = [&](const Eigen::VectorXd& step) {
+    return step.dot(task.system.form().xi());
   };
+  const auto isTooLittle = [&](double gain) { return gain <= limits.relative_gain * costs.robust; };
   for (int iteration = 0; iteration < limits.max_iterations; ++iteration) {
     const auto step = task.system.solve();
     if (!step) {
       account.end = DescentEnd::kSingular;
       return account;
     }
-    if (promisesTooLittle(*step)) {
+    const double promise = promiseOf(*step);
+    if (isTooLittle(promise)) {
       return account;
     }
-    const auto moved = takeStep(task, *step, costs);
-    const double gain = moved ? 1.0 - moved->robust / costs.robust : 0.0;
-    costs = moved.value_or(costs);
+    const GraphCost moved = takeStep(task, *step, costs).value_or(costs);
+    const double gain = costs.robust - moved.robust;
+    costs = moved;
     account.chi_squares.push_back(costs.chi_square);
-    // Near the minimum the last factor, which is at hand, says well enough what is left to gain.
-    if (gain <= limits.relative_gain ||
-        (gain < kSlowGain && promisesTooLittle(task.system.solveFor(task.system.form().xi())))) {
+    // Where a step has kept its promise, Omega has hardly moved: the last factor, which is at hand,
+    // says well enough what is left to gain.
+    const bool is_kept = gain > kKept * promise;
+    if (isTooLittle(gain) ||
+        (is_kept && isTooLittle(promiseOf(task.system.solveFor(task.system.form().xi()))))) {
       return account;
     }
   }
