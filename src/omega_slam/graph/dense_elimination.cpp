@@ -1,6 +1,7 @@
 #include "omega_slam/graph/dense_elimination.h"
 
-#include <Eigen/Cholesky>
+#include <cmath>
+#include <optional>
 
 namespace omega_slam::graph {
 
@@ -60,21 +61,66 @@ void subtractEarlier(PanelMap& panel, Index first) {
   }
 }
 
+/// L of a block on the diagonal. Divisions are slow, so the panel has the reciprocals of L's own
+/// diagonal, too: above it, where nothing else stands.
+struct DiagonalBlock {
+  double l10, l20, l21;
+  double r0, r1, r2;  ///< 1 / l00, 1 / l11, 1 / l22
+
+  [[nodiscard]] static DiagonalBlock of(const ConstPanelMap& panel, Index first) {
+    const auto block = panel.block<3, 3>(first, first);
+    return {block(1, 0), block(2, 0), block(2, 1), block(0, 1), block(0, 2), block(1, 2)};
+  }
+
+  /// L^-1 v
+  [[nodiscard]] Eigen::Vector3d forward(const Eigen::Vector3d& v) const {
+    const double a = v[0] * r0;
+    const double b = (v[1] - l10 * a) * r1;
+    return {a, b, (v[2] - l20 * a - l21 * b) * r2};
+  }
+
+  /// L^-T v
+  [[nodiscard]] Eigen::Vector3d backward(const Eigen::Vector3d& v) const {
+    const double c = v[2] * r2;
+    const double b = (v[1] - l21 * c) * r1;
+    return {(v[0] - l10 * b - l20 * c) * r0, b, c};
+  }
+};
+
+/// @return none where the block is not positive definite
+std::optional<DiagonalBlock> factorizeBlock(PanelMap& panel, Index first) {
+  const Eigen::Matrix3d omega = panel.block<3, 3>(first, first);
+  const double l00 = std::sqrt(omega(0, 0));
+  const double r0 = 1.0 / l00;
+  const double l10 = omega(1, 0) * r0;
+  const double l20 = omega(2, 0) * r0;
+  const double l11 = std::sqrt(omega(1, 1) - l10 * l10);
+  const double r1 = 1.0 / l11;
+  const double l21 = (omega(2, 1) - l20 * l10) * r1;
+  const double l22 = std::sqrt(omega(2, 2) - l20 * l20 - l21 * l21);
+  const double r2 = 1.0 / l22;
+  if (!(l00 > 0.0 && l11 > 0.0 && l22 > 0.0)) {  // so it is for NaN
+    return std::nullopt;
+  }
+  panel.block<3, 3>(first, first) << l00, r0, r1,  //
+      l10, l11, r2,                                //
+      l20, l21, l22;
+  return DiagonalBlock{l10, l20, l21, r0, r1, r2};
+}
+
 /// Eliminates three columns among themselves.
 bool eliminateThree(PanelMap& panel, Index first) {
-  const Eigen::LLT<Eigen::Matrix3d> own(panel.block<3, 3>(first, first));
-  if (own.info() != Eigen::Success) {
+  const auto own = factorizeBlock(panel, first);
+  if (!own) {
     return false;
   }
-  const Eigen::Matrix3d lower = own.matrixL();
-  panel.block<3, 3>(first, first) = lower;
   const Index below = panel.rows() - first - 3;
   auto a = panel.col(first).tail(below);
   auto b = panel.col(first + 1).tail(below);
   auto c = panel.col(first + 2).tail(below);
-  a *= 1.0 / lower(0, 0);
-  b = (b - lower(1, 0) * a) * (1.0 / lower(1, 1));
-  c = (c - lower(2, 0) * a - lower(2, 1) * b) * (1.0 / lower(2, 2));
+  a *= own->r0;
+  b = (b - own->l10 * a) * own->r1;
+  c = (c - own->l20 * a - own->l21 * b) * own->r2;
   return true;
 }
 
@@ -109,9 +155,7 @@ Eigen::MatrixXd leftBy(ConstPanelMap panel) {
 
 void substituteForward(ConstPanelMap panel, Eigen::VectorXd& x) {
   for (Index first = 0; first < panel.cols(); first += 3) {
-    const auto own = panel.block<3, 3>(first, first);
-    Eigen::Vector3d a = x.segment<3>(first);
-    own.triangularView<Eigen::Lower>().solveInPlace(a);
+    const Eigen::Vector3d a = DiagonalBlock::of(panel, first).forward(x.segment<3>(first));
     x.segment<3>(first) = a;
     const Index below = panel.rows() - first - 3;
     x.tail(below) -= a[0] * panel.col(first).tail(below) + a[1] * panel.col(first + 1).tail(below) +
@@ -121,14 +165,11 @@ void substituteForward(ConstPanelMap panel, Eigen::VectorXd& x) {
 
 void substituteBackward(ConstPanelMap panel, Eigen::VectorXd& x) {
   for (Index first = panel.cols() - 3; first >= 0; first -= 3) {
-    const auto own = panel.block<3, 3>(first, first);
     const Index below = panel.rows() - first - 3;
-    Eigen::Vector3d a = x.segment<3>(first);
-    for (Index axis = 0; axis < 3; ++axis) {
-      a[axis] -= panel.col(first + axis).tail(below).dot(x.tail(below));
-    }
-    own.transpose().triangularView<Eigen::Upper>().solveInPlace(a);
-    x.segment<3>(first) = a;
+    const Eigen::Vector3d a =
+        x.segment<3>(first) -
+        panel.block(first + 3, first, below, 3).transpose().lazyProduct(x.tail(below));
+    x.segment<3>(first) = DiagonalBlock::of(panel, first).backward(a);
   }
 }
 

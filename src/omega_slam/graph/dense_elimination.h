@@ -11,7 +11,7 @@ using PanelMap = Eigen::Map<Eigen::MatrixXd>;
 using ConstPanelMap = Eigen::Map<const Eigen::MatrixXd>;
 
 /// Eliminates the columns of a panel [A; B], A symmetric and given by its lower triangle: A becomes
-/// L with L L^T = A, and B becomes B L^-T.
+/// L with L L^T = A, and B becomes B L^-T. Above L's diagonal stands what the other functions need.
 /// @return whether A is positive definite
 [[nodiscard]] bool eliminate(PanelMap panel);
 
