@@ -10,8 +10,9 @@ using geometry::Pose2;
 
 namespace {
 
-constexpr int kHalvings = 8;   // of a step that leads uphill
-constexpr double kKept = 0.9;  // share of a promise
+constexpr int kHalvings = 8;         // of a step that leads uphill
+constexpr double kRounding = 1e-12;  // of a cost that should be zero
+constexpr double kKept = 0.9;        // share of a promise
 constexpr double kFirstDamping = 1e-4;
 constexpr double kMaxDamping = 1e8;
 
@@ -77,7 +78,9 @@ DescentAccount descendGaussNewton(const DescentTask& task, const DescentLimits& 
   const auto promiseOf = [&](const Eigen::VectorXd& step) {
     return step.dot(task.system.form().xi());
   };
-  const auto isTooLittle = [&](double gain) { return gain <= limits.relative_gain * costs.robust; };
+  const auto isTooLittle = [&](double gain) {
+    return gain <= limits.relative_gain * costs.robust + kRounding;
+  };
   for (int iteration = 0; iteration < limits.max_iterations; ++iteration) {
     const auto step = task.system.solve();
     if (!step) {
