@@ -33,7 +33,8 @@ std::vector<double> weightsOf(const PoseGraph& graph, const Weighing& weighing) 
   std::vector<double> weights;
   weights.reserve(graph.constraints.size());
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
-    weights.push_back(weighing.at(k, chiSquare(graph, graph.constraints[k])).weight);
+    weights.push_back(
+        weighing.isPlain(k) ? 1.0 : weighing.at(k, chiSquare(graph, graph.constraints[k])).weight);
   }
   return weights;
 }
@@ -146,8 +147,10 @@ SolveReport GraphSolver::solve(PoseGraph& graph) {
   }
   report.iterations = static_cast<int>(account.chi_squares.size());
   report.factorizations = system_.factorizations();
+  if (report.status != SolveStatus::kFailed && !account.chi_squares.empty()) {
+    report.chi_square = account.chi_squares.back();
+  }
   report.chi_squares = std::move(account.chi_squares);
-  report.chi_square = chiSquare(graph);
   report.weights = weightsOf(graph, weighing);
   return report;
 }

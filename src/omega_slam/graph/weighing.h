@@ -26,6 +26,9 @@ class Weighing {
  public:
   Weighing(const KernelConfig& kernels, const PoseGraph& graph);
 
+  /// Whether the constraint costs its square, however far it lies off.
+  [[nodiscard]] bool isPlain(std::size_t k) const { return kernels_[k].kind == KernelKind::kNone; }
+
   [[nodiscard]] RobustCost at(std::size_t k, double squared) const;
 
   /// Constraints whose kernel is graduated, by index.
