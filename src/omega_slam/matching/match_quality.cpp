@@ -46,9 +46,7 @@ void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
                         const Eigen::Vector2d& arm) {
   // Along a wall the spacing of its points is no error.
   squared_residuals += surface.isLine() ? std::pow(surface.normal.dot(gap), 2) : gap.squaredNorm();
-  Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
-  jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
-  hessian += jacobian.transpose() * surface.certainInformation() * jacobian;
+  hessian += poseInformation(surface.certainInformation(), arm);
   ++partners;
 }
 

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace omega_slam::matching {
 
 namespace {
 
-constexpr double kCell = 0.1;       // [m]
+constexpr double kCell = 0.07;      // [m]
 constexpr std::int32_t kTurn = 64;  // cells along each axis until the grid begins anew
 constexpr std::int32_t kMask = kTurn - 1;
 constexpr std::int32_t kWidest = kTurn / 2 - 1;  // ring that does not yet meet itself
 constexpr double kFarthest = 500000.0;           // cells from the origin; beyond, all share one
+constexpr std::size_t kLikely = 2;               // so many points are looked at first
 
 /// Cells between a place's own and the farthest that a circle around it may touch; kWidest + 1 for
 /// all that is too many.
@@ -36,7 +38,7 @@ std::size_t PointIndex::bucketOf(std::int32_t x, std::int32_t y) {
 }
 
 PointIndex::PointIndex(const Points& points)
-    : starts_(kTurn * kTurn + 1, 0), entries_(points.size()) {
+    : points_(points), starts_(kTurn * kTurn + 1, 0), entries_(points.size()) {
   std::vector<std::uint32_t> buckets;
   buckets.reserve(points.size());
   for (const Eigen::Vector2d& point : points) {
@@ -73,26 +75,30 @@ void PointIndex::visitRow(std::int32_t y, std::int32_t first_x, std::int32_t las
   }
 }
 
-std::optional<PointIndex::Neighbour> PointIndex::nearest(const Eigen::Vector2d& query,
-                                                         double reach) const {
-  const Entry* best = nullptr;
+std::optional<PointIndex::Neighbour> PointIndex::nearest(const Eigen::Vector2d& query, double reach,
+                                                         std::size_t likely) const {
+  constexpr auto kNone = std::numeric_limits<std::size_t>::max();
+  std::size_t best = kNone;
   double smallest = reach * reach;
   const auto visit = [&](const Entry& entry) {
     const double squared = (entry.point - query).squaredNorm();
-    if (squared < smallest || (squared == smallest && best == nullptr)) {
+    if (squared < smallest || (squared == smallest && best == kNone)) {
       smallest = squared;
-      best = &entry;
+      best = entry.index;
     }
   };
+  for (std::size_t i = likely; i < points_.size() && i < likely + kLikely; ++i) {
+    visit({points_[i], i});
+  }
   if (ringsTo(reach) > kWidest) {
     std::for_each(entries_.begin(), entries_.end(), visit);
   } else {
     searchRings(query, ringsTo(reach), smallest, visit);
   }
-  if (best == nullptr) {
+  if (best == kNone) {
     return std::nullopt;
   }
-  return Neighbour{best->index, smallest};
+  return Neighbour{best, smallest};
 }
 
 template <class Visitor>

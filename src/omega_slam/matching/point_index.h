@@ -19,7 +19,8 @@ namespace omega_slam::matching {
 /// a laser beats a tree by far.
 class PointIndex {
  public:
-  /// @param points finite; those beyond 50 km of the origin are found as well, but slowly
+  /// @param points finite, outlive the index; those beyond 35 km of the origin are found as well,
+  /// but slowly
   explicit PointIndex(const Points& points);
 
   struct Neighbour {
@@ -28,7 +29,10 @@ class PointIndex {
   };
 
   /// The nearest point, none if it is farther than `reach` [m].
-  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector2d& query, double reach) const;
+  /// @param likely index of a point that is likely to be near, as the last answer where queries
+  /// follow a sweep: it and the one after it are looked at first, and leave fewer others to look at
+  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector2d& query, double reach,
+                                                 std::size_t likely = 0) const;
 
   /// All points within a radius [m], in no particular order but always the same.
   void within(const Eigen::Vector2d& query, double radius,
@@ -51,6 +55,7 @@ class PointIndex {
   void searchRings(const Eigen::Vector2d& query, std::int32_t rings, const double& smallest,
                    Visitor visit) const;
 
+  const Points& points_;
   std::vector<std::uint32_t> starts_;  // of each bucket's entries, and the end
   std::vector<Entry> entries_;         // sorted by bucket
 };

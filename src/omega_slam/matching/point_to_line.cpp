@@ -24,12 +24,10 @@ void PointToLineEquations::add(const Surface& surface, const Eigen::Vector2d& ga
   const double squared_distance = gap.dot(information * gap);
   const double weight =
       1.0 / (1.0 + squared_distance / squared_tolerance) / (kernel.deviation * kernel.deviation);
-  Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
-  jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
-  const Eigen::Matrix<double, 3, 2> weighted = weight * jacobian.transpose();
-  matrix += weighted * information * jacobian;
-  vector -= weighted * (information * gap);
-  certain += weighted * surface.certainInformation() * jacobian;
+  const Eigen::Vector2d pull = weight * (information * gap);
+  matrix += poseInformation(weight * information, arm);
+  vector -= Eigen::Vector3d(pull.x(), pull.y(), arm.x() * pull.y() - arm.y() * pull.x());
+  certain += poseInformation(weight * surface.certainInformation(), arm);
 }
 
 PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,

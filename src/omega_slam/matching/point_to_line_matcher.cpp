@@ -19,7 +19,7 @@ constexpr double kSmallestTolerance = 2.0;   // in standard deviations of a rang
 constexpr double kCalming = 0.7;             // of the steps, where one takes back the last
 constexpr std::size_t kFewPoints = 100;
 constexpr double kRoughStep = 1e-3;     // [m], [rad] few points can't tell more
-constexpr double kSmallestStep = 1e-4;  // [m], [rad] well below what a laser resolves
+constexpr double kSmallestStep = 3e-4;  // [m], [rad] well below what a laser tells
 
 Points thinOut(const Points& points) {
   const std::size_t stride = (points.size() + kFewPoints - 1) / kFewPoints;

@@ -11,7 +11,6 @@ constexpr double kSurfaceRadius = 0.3;  // [m] neighbours that make up the surfa
 constexpr double kLineFlatness = 0.25;  // minor over major axis; above, it is no line
 constexpr double kSpotRadius = 0.05;    // [m] root mean square of what is small
 constexpr double kLeastNoise = 0.01;    // [m] of a range: three points may look straighter
-constexpr double kDoubt = 3.0;          // times the average that tilted normals pretend to know
 // Far away the neighbours of a beam lie beyond the radius above. With the point between them they
 // are a line if they are not farther than this, about equally far, and straight within:
 constexpr double kSparseRadius = 1.5;  // [m]
@@ -21,38 +20,33 @@ constexpr double kSparseSlope = 0.06;  // [rad] deviation of the normal
 struct Moments {
   std::size_t count{0};
   Eigen::Vector2d sum{0.0, 0.0};
-  Eigen::Matrix2d squares{Eigen::Matrix2d::Zero()};
+  double xx{0.0};
+  double xy{0.0};
+  double yy{0.0};
 
   void add(const Eigen::Vector2d& offset) {
     ++count;
     sum += offset;
-    squares += offset * offset.transpose();
+    xx += offset.x() * offset.x();
+    xy += offset.x() * offset.y();
+    yy += offset.y() * offset.y();
+  }
+
+  [[nodiscard]] Eigen::Vector2d mean() const { return sum / static_cast<double>(count); }
+
+  [[nodiscard]] Eigen::Matrix2d scatter() const {
+    Eigen::Matrix2d squares;
+    squares << xx, xy, xy, yy;
+    return squares - sum * mean().transpose();
   }
 };
 
 SurfaceModel::Partner partnerFrom(const Moments& moments, const Eigen::Vector2d& origin) {
-  const Eigen::Vector2d mean = moments.sum / static_cast<double>(moments.count);
-  const Surface surface =
-      fitSurface(moments.squares - moments.sum * mean.transpose(), moments.count);
-  return {surface.isLine() ? origin + mean : origin, surface};
+  const Surface surface = fitSurface(moments.scatter(), moments.count);
+  return {surface.isLine() ? origin + moments.mean() : origin, surface};
 }
 
 }  // namespace
-
-Eigen::Matrix2d Surface::information() const {
-  if (isLine()) {
-    return normal * normal.transpose();
-  }
-  return 0.5 * Eigen::Matrix2d::Identity();
-}
-
-Eigen::Matrix2d Surface::certainInformation() const {
-  if (isLine()) {
-    const Eigen::Vector2d tangent(-normal.y(), normal.x());
-    return information() - kDoubt * slope_variance * tangent * tangent.transpose();
-  }
-  return is_spot ? information() : Eigen::Matrix2d::Zero();
-}
 
 Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count) {
   Surface surface;
@@ -83,10 +77,11 @@ SurfaceModel::SurfaceModel(const Points& reference)
 
 std::optional<SurfaceModel::Partner> SurfaceModel::partnerOf(const Eigen::Vector2d& p_reference,
                                                              double reach) {
-  const auto nearest = index_.nearest(p_reference, reach);
+  const auto nearest = index_.nearest(p_reference, reach, latest_);
   if (!nearest) {
     return std::nullopt;
   }
+  latest_ = nearest->index;
   std::optional<Partner>& partner = partners_[nearest->index];
   if (!partner) {
     partner = fitAround(nearest->index);

@@ -16,19 +16,46 @@ struct Surface {
   double slope_variance{0.0};        ///< of the normal's direction [rad^2]
   bool is_spot{false};               ///< no line, but points close together, as of a table's leg
 
-  [[nodiscard]] bool isLine() const { return !normal.isZero(); }
+  [[nodiscard]] bool isLine() const { return normal.squaredNorm() > 0.0; }
 
   /// What it says of where a point on it lies, in units of a range's information: n n^T for a line,
   /// which is free along itself. Elsewhere the partner itself says it, which is as noisy as the
   /// point: half the identity.
-  [[nodiscard]] Eigen::Matrix2d information() const;
+  [[nodiscard]] Eigen::Matrix2d information() const {
+    if (isLine()) {
+      return normal * normal.transpose();
+    }
+    return 0.5 * Eigen::Matrix2d::Identity();
+  }
 
   /// The part of it to build on. Noise tilts the normals, and what is tilted pretends to know
   /// something along the wall: by s^2 t t^T on average, with the tangent t and the slope's variance
   /// s^2; three times that is taken off, since neighbours tilt together. Where points form neither
   /// a line nor a spot, as at the end of a wall that the laser sees no farther, nothing is left.
-  [[nodiscard]] Eigen::Matrix2d certainInformation() const;
+  [[nodiscard]] Eigen::Matrix2d certainInformation() const {
+    constexpr double kDoubt = 3.0;
+    if (isLine()) {
+      const Eigen::Vector2d tangent(-normal.y(), normal.x());
+      return information() - kDoubt * slope_variance * tangent * tangent.transpose();
+    }
+    return is_spot ? information() : Eigen::Matrix2d::Zero();
+  }
 };
+
+/// What is known of a point's place, as what is thereby known of the pose (x, y, theta) of the scan
+/// that it belongs to: J^T I J with the derivatives J of its place by the pose.
+/// @param information symmetric
+/// @param arm [m] from the scan's origin to the point, in the axes of the information
+[[nodiscard]] inline Eigen::Matrix3d poseInformation(const Eigen::Matrix2d& information,
+                                                     const Eigen::Vector2d& arm) {
+  const Eigen::Vector2d turned = information * Eigen::Vector2d(-arm.y(), arm.x());
+  const double about = arm.x() * turned.y() - arm.y() * turned.x();
+  Eigen::Matrix3d on_pose;
+  on_pose << information(0, 0), information(0, 1), turned.x(),  //
+      information(1, 0), information(1, 1), turned.y(),         //
+      turned.x(), turned.y(), about;
+  return on_pose;
+}
 
 /// The line that fits points best, from what they sum up to: total least squares. None for fewer
 /// than three points, or a heap, which is a spot if it is small.
@@ -63,6 +90,7 @@ class SurfaceModel {
 
   const Points& reference_;
   PointIndex index_;
+  std::size_t latest_{0};  // of the nearest points: where the next one is likely to be
   std::vector<std::optional<Partner>> partners_;
   std::vector<PointIndex::Neighbour> neighbours_;  // kept, so as not to allocate for each point
 };
