@@ -54,7 +54,8 @@ Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count) {
     return surface;
   }
   const double middle = 0.5 * (scatter(0, 0) + scatter(1, 1));
-  const double half_gap = std::hypot(0.5 * (scatter(0, 0) - scatter(1, 1)), scatter(0, 1));
+  const double skew = 0.5 * (scatter(0, 0) - scatter(1, 1));
+  const double half_gap = std::sqrt(skew * skew + scatter(0, 1) * scatter(0, 1));
   const double along = middle + half_gap;
   const double across = std::max(middle - half_gap, 0.0);
   if (across >= kLineFlatness * kLineFlatness * along) {
