@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -129,6 +130,10 @@ class CorrelativeSearch::Frontier {
  public:
   explicit Frontier(const CorrelativeSearch& search) : search_(search) {
     const int level = search.pyramid_.levels() - 1;
+    for (int below = 0; below <= level; ++below) {
+      turned_scans_.emplace_back(
+          static_cast<std::size_t>((2 * search.lattice_.turns >> below) + 1));
+    }
     for (int a = 0; a <= 2 * search.lattice_.turns; a += 1 << level) {
       const int last = 2 * search.lattice_.steps;
       addPlaces({level, 0, 0, a}, last, last);
@@ -156,7 +161,7 @@ class CorrelativeSearch::Frontier {
  private:
   /// Adds the blocks from `first` on, up to those that begin at the last x and y.
   void addPlaces(const PoseBlock& first, int last_x, int last_y) {
-    const TurnedScan scan(search_, first.level, first.a);
+    const TurnedScan& scan = turnedScan(first.level, first.a);
     const int last = 2 * search_.lattice_.steps;
     PoseBlock block = first;
     for (block.y = first.y; block.y <= std::min(last_y, last); block.y += sideOf(block)) {
@@ -169,8 +174,19 @@ class CorrelativeSearch::Frontier {
     }
   }
 
+  /// Made when it is first asked for: blocks of the same headings share it.
+  const TurnedScan& turnedScan(int level, int a) {
+    std::optional<TurnedScan>& scan =
+        turned_scans_[static_cast<std::size_t>(level)][static_cast<std::size_t>(a >> level)];
+    if (!scan) {
+      scan.emplace(search_, level, a);
+    }
+    return *scan;
+  }
+
   const CorrelativeSearch& search_;
   std::priority_queue<Candidate> queue_;
+  std::vector<std::vector<std::optional<TurnedScan>>> turned_scans_;  // by level, and heading
 };
 
 CorrelativeSearch::CorrelativeSearch(const Points& surfaces, const Points& scan, const Pose2& guess,

@@ -27,7 +27,8 @@ class LevelPainter {
       : likelihoods_(likelihoodsWithin(reach)),
         reach_(reach),
         shift_(LikelihoodPyramid::blockShift(level)),
-        slack_(LikelihoodPyramid::slack(level)) {}
+        slack_(LikelihoodPyramid::slack(level)),
+        stamps_(std::size_t{1} << (2 * shift_)) {}
 
   [[nodiscard]] TiledGrid<std::uint8_t> paint(const std::vector<grid::Cell>& surfaces) {
     Eigen::AlignedBox2i box;
@@ -37,18 +38,24 @@ class LevelPainter {
     if (box.isEmpty()) {
       return {};
     }
-    TiledGrid<std::uint8_t> values({first(box.min().x()), first(box.min().y())},
-                                   {last(box.max().x()), last(box.max().y())});
+    TiledGrid<std::uint8_t> values(first(box.min()), last(box.max()));
     for (const grid::Cell& cell : surfaces) {
-      paint(cell, values);
+      press(cell, values);
     }
     return values;
   }
 
  private:
-  /// Blocks in reach of a surface along one axis.
-  [[nodiscard]] int first(int cell) const { return (cell - reach_ - slack_) >> shift_; }
-  [[nodiscard]] int last(int cell) const { return (cell + reach_ + slack_) >> shift_; }
+  /// What a surface gives the blocks around it.
+  using Stamp = std::vector<std::uint8_t>;
+
+  /// Blocks in reach of a surface.
+  [[nodiscard]] grid::Cell first(const grid::Cell& cell) const {
+    return {(cell.x() - reach_ - slack_) >> shift_, (cell.y() - reach_ - slack_) >> shift_};
+  }
+  [[nodiscard]] grid::Cell last(const grid::Cell& cell) const {
+    return {(cell.x() + reach_ + slack_) >> shift_, (cell.y() + reach_ + slack_) >> shift_};
+  }
 
   /// From a surface to the nearest cell that a block speaks for, along one axis, squared.
   [[nodiscard]] int squaredGap(int cell, int block) const {
@@ -59,29 +66,43 @@ class LevelPainter {
     return gap * gap;
   }
 
-  void paint(const grid::Cell& cell, TiledGrid<std::uint8_t>& values) {
-    const int first_x = first(cell.x());
-    const int last_x = last(cell.x());
-    gaps_.clear();
-    for (int x = first_x; x <= last_x; ++x) {
-      gaps_.push_back(squaredGap(cell.x(), x));
-    }
-    for (int y = first(cell.y()); y <= last(cell.y()); ++y) {
-      const std::uint8_t* row = likelihoods_.data() + squaredGap(cell.y(), y);
-      values.visitRow(first_x, last_x, y, [&](int x, std::uint8_t* cells, int count) {
-        const int* gaps = gaps_.data() + (x - first_x);
+  void press(const grid::Cell& cell, TiledGrid<std::uint8_t>& values) {
+    const std::uint8_t* stamp = stampFor(cell).data();
+    const grid::Cell low = first(cell);
+    const grid::Cell high = last(cell);
+    for (int y = low.y(); y <= high.y(); ++y) {
+      values.visitRow(low.x(), high.x(), y, [&](int, std::uint8_t* cells, int count) {
         for (int i = 0; i < count; ++i) {
-          cells[i] = std::max(cells[i], row[gaps[i]]);
+          cells[i] = std::max(cells[i], stamp[i]);
         }
+        stamp += count;
       });
     }
+  }
+
+  /// The same for all surfaces that lie alike in their block.
+  const Stamp& stampFor(const grid::Cell& cell) {
+    const int mask = (1 << shift_) - 1;
+    Stamp& stamp =
+        stamps_[static_cast<std::size_t>(((cell.y() & mask) << shift_) + (cell.x() & mask))];
+    if (stamp.empty()) {
+      const grid::Cell low = first(cell);
+      const grid::Cell high = last(cell);
+      for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) {
+          const int squared = squaredGap(cell.x(), x) + squaredGap(cell.y(), y);
+          stamp.push_back(likelihoods_[static_cast<std::size_t>(squared)]);
+        }
+      }
+    }
+    return stamp;
   }
 
   Likelihoods likelihoods_;
   int reach_;
   int shift_;
   int slack_;
-  std::vector<int> gaps_;  // kept, so as not to allocate for each surface
+  std::vector<Stamp> stamps_;  // made when they are first asked for
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(LocalMap, KnowsWhatIsInReachAndForgetsWhatIsFarBehind) {
       EXPECT_GT(valueAt(map, level, {0.05, 2.05}), 0.0) << x << ", " << level;
     }
   }
-  for (const double x : {15.0, 10.0, 5.0}) {  // away, and back
+  for (const double x : {30.0, 15.0, 5.0}) {  // away, and back
     ASSERT_TRUE(map.insert(viewOf({{-4.0, 1.0}, {4.0, 1.0}}), {x, 0.0, 0.0}));
   }
   EXPECT_EQ(valueAt(map, 0, {0.05, 2.05}), 0.0);
