@@ -6,6 +6,7 @@
 #include "omega_slam/matching/correlation_volume.h"
 #include "omega_slam/matching/field_refinement.h"
 #include "omega_slam/matching/match_quality.h"
+#include "omega_slam/matching/ray_sharpening.h"
 #include "omega_slam/matching/surface_field.h"
 #include "omega_slam/matching/traced_surfaces.h"
 
@@ -83,6 +84,8 @@ class Attempt {
   Attempt(const Reference& reference, const View& scan, const Pose2& guess,
           const Settings& settings)
       : settings_(settings),
+        reference_(reference),
+        view_(scan),
         guess_(guess),
         scan_(tracePatches(scan)),
         field_(traceSurfaces(reference, kSampleSpacing * settings.match.outlier_distance),
@@ -101,7 +104,9 @@ class Attempt {
     }
     const Pose2& peak = match.peaks.front().T_reference_scan;
     match.result = finish(peak, peak);
-    if (match.result.open_direction) {
+    if (auto sharp = sharpenByRays(reference_, view_, match.result, settings_.match)) {
+      match.result = *sharp;
+    } else if (match.result.open_direction) {
       // Nothing but the guess knows better there, unless that would lose the scan.
       const MatchResult held = finish(match.result.T_reference_scan, guess_);
       match.result = held.confidence + kTie >= match.result.confidence ? held : match.result;
@@ -129,6 +134,8 @@ class Attempt {
   }
 
   Settings settings_;
+  const Reference& reference_;
+  const View& view_;
   Pose2 guess_;
   std::vector<SurfacePatch> scan_;
   SurfaceField field_;

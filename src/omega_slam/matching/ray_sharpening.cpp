@@ -1,0 +1,105 @@
+#include "omega_slam/matching/ray_sharpening.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "omega_slam/matching/match_quality.h"
+#include "omega_slam/matching/ray_error.h"
+
+namespace omega_slam::matching {
+
+using geometry::Pose2;
+
+namespace {
+
+constexpr double kInDoubt = 0.02;  // [m], [rad] deviation from which it is worth a look
+constexpr double kProbe = 0.25;    // [m], [rad] to both sides
+constexpr double kReach = 0.3;     // [m], [rad] that the pose moves at most
+constexpr double kDeviations = 3.0;
+constexpr double kCap = 0.3;  // [m] of the difference of two rays
+constexpr double kIndependentRays = 30.0;
+constexpr double kFirstStep = 0.04;  // [m], [rad] of the search
+constexpr double kLastStep = 0.002;
+constexpr double kFiner = 0.25;  // of the step before
+
+/// The rays' error on a line through a pose.
+class Line {
+ public:
+  Line(const Reference& reference, const View& scan, const Pose2& pose,
+       const Eigen::Vector3d& direction)
+      : reference_(reference, kCap), scan_(scan), pose_(pose), direction_(direction) {}
+
+  [[nodiscard]] Pose2 poseAt(double distance) const {
+    return Pose2::fromVector(pose_.vector() + distance * direction_);
+  }
+
+  [[nodiscard]] double errorAt(double distance) const {
+    return reference_.squaredError(scan_, poseAt(distance));
+  }
+
+  /// By how much the error rises around a place [m^2]: to the side where it rises less, and more.
+  [[nodiscard]] std::pair<double, double> risesAround(double place) const {
+    const double here = errorAt(place);
+    return std::minmax({errorAt(place - kProbe) - here, errorAt(place + kProbe) - here});
+  }
+
+  /// Where the error is least, within a reach.
+  [[nodiscard]] double lowest(double reach) const {
+    double best = 0.0;
+    double least = errorAt(best);
+    for (double step = kFirstStep; step > kLastStep; reach = step, step *= kFiner) {
+      const double center = best;
+      for (double offset = -reach; offset <= reach; offset += step) {
+        const double error = errorAt(center + offset);
+        if (error < least) {
+          least = error;
+          best = center + offset;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  RayReference reference_;
+  RayScan scan_;
+  Pose2 pose_;
+  Eigen::Vector3d direction_;
+};
+
+}  // namespace
+
+std::optional<MatchResult> sharpenByRays(const Reference& reference, const View& scan,
+                                         const MatchResult& found, const MatchConfig& config) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(found.covariance);
+  const double deviation = std::sqrt(axes.eigenvalues()[2]);
+  if (deviation < kInDoubt) {
+    return std::nullopt;
+  }
+  const Eigen::Vector3d direction = axes.eigenvectors().col(2);
+  const Line line(reference, scan, found.T_reference_scan, direction);
+  const double noise = 2.0 * config.range_noise * config.range_noise;  // of both ranges
+  if (line.risesAround(0.0).second < noise) {
+    return std::nullopt;  // flat
+  }
+  const double place = line.lowest(std::min(kDeviations * deviation, kReach));
+  const double rise = line.risesAround(place).first;
+  if (rise < noise) {
+    return std::nullopt;
+  }
+  MatchResult sharp = found;
+  sharp.T_reference_scan = line.poseAt(place);
+  const double information = kIndependentRays * rise / (kProbe * kProbe) / noise;
+  sharp.covariance =
+      (found.covariance.inverse() + information * direction * direction.transpose()).inverse();
+  sharp.covariance = 0.5 * (sharp.covariance + sharp.covariance.transpose()).eval();
+  sharp.failure = MatchFailure::kNone;
+  sharp.open_direction.reset();
+  nameOpenDirection(sharp);
+  return sharp;
+}
+
+}  // namespace omega_slam::matching
