@@ -104,8 +104,8 @@ class Attempt {
     }
     const Pose2& peak = match.peaks.front().T_reference_scan;
     match.result = finish(peak, peak);
-    if (auto sharp = sharpenByRays(reference_, view_, match.result, settings_.match)) {
-      match.result = *sharp;
+    if (const auto sharp = sharpenByRays(reference_, view_, match.result, settings_.match)) {
+      match.result.T_reference_scan = *sharp;
     } else if (match.result.open_direction) {
       // Nothing but the guess knows better there, unless that would lose the scan.
       const MatchResult held = finish(match.result.T_reference_scan, guess_);

@@ -1,12 +1,10 @@
 #include "omega_slam/matching/ray_sharpening.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "omega_slam/matching/match_quality.h"
 #include "omega_slam/matching/ray_error.h"
 
 namespace omega_slam::matching {
@@ -19,8 +17,7 @@ constexpr double kInDoubt = 0.02;  // [m], [rad] deviation from which it is wort
 constexpr double kProbe = 0.25;    // [m], [rad] to both sides
 constexpr double kReach = 0.3;     // [m], [rad] that the pose moves at most
 constexpr double kDeviations = 3.0;
-constexpr double kCap = 0.3;  // [m] of the difference of two rays
-constexpr double kIndependentRays = 30.0;
+constexpr double kCap = 0.3;         // [m] of the difference of two rays
 constexpr double kFirstStep = 0.04;  // [m], [rad] of the search
 constexpr double kLastStep = 0.002;
 constexpr double kFiner = 0.25;  // of the step before
@@ -72,8 +69,8 @@ class Line {
 
 }  // namespace
 
-std::optional<MatchResult> sharpenByRays(const Reference& reference, const View& scan,
-                                         const MatchResult& found, const MatchConfig& config) {
+std::optional<Pose2> sharpenByRays(const Reference& reference, const View& scan,
+                                   const MatchResult& found, const MatchConfig& config) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(found.covariance);
   const double deviation = std::sqrt(axes.eigenvalues()[2]);
   if (deviation < kInDoubt) {
@@ -86,20 +83,10 @@ std::optional<MatchResult> sharpenByRays(const Reference& reference, const View&
     return std::nullopt;  // flat
   }
   const double place = line.lowest(std::min(kDeviations * deviation, kReach));
-  const double rise = line.risesAround(place).first;
-  if (rise < noise) {
+  if (line.risesAround(place).first < noise) {
     return std::nullopt;
   }
-  MatchResult sharp = found;
-  sharp.T_reference_scan = line.poseAt(place);
-  const double information = kIndependentRays * rise / (kProbe * kProbe) / noise;
-  sharp.covariance =
-      (found.covariance.inverse() + information * direction * direction.transpose()).inverse();
-  sharp.covariance = 0.5 * (sharp.covariance + sharp.covariance.transpose()).eval();
-  sharp.failure = MatchFailure::kNone;
-  sharp.open_direction.reset();
-  nameOpenDirection(sharp);
-  return sharp;
+  return line.poseAt(place);
 }
 
 }  // namespace omega_slam::matching
