@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/cpu_timer.h"
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/graph/descent.h"
 #include "omega_slam/graph/first_guess.h"
@@ -71,7 +71,8 @@ std::vector<double> solveByKernel(PoseGraph& graph, graph::KernelKind kind) {
   graph::SolverConfig config;
   config.kernels.loop = {kind, kKernelWidth};
   config.limits.max_iterations = 100;
-  graph::applyGuess(graph, graph::FirstGuess::kOdometry);
+  const bool is_plain = kind == graph::KernelKind::kNone;
+  graph::applyGuess(graph, is_plain ? graph::FirstGuess::kBest : graph::FirstGuess::kOdometry);
   return graph::solve(graph, config).weights;
 }
 
@@ -132,21 +133,20 @@ PoseGraph withFalseLoops(const CleanGraph& clean, const FalseLoops& wanted) {
 }
 
 std::string outlierHead() {
-  return "graph,solver,false_loops,group,seed,true_loops,false_kept,true_dropped,error,stated_"
-         "noise,"
-         "shown_noise,milliseconds";
+  return "graph,poses,solver,false_loops,group,seed,true_loops,false_kept,true_dropped,error,"
+         "stated_noise,shown_noise,milliseconds";
 }
 
 std::string outlierRow(const OutlierAccount& account) {
-  return fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g}", account.graph,
-                     account.solver, account.wanted.count, account.wanted.group,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g}", account.graph,
+                     account.poses, account.solver, account.wanted.count, account.wanted.group,
                      account.wanted.seed, account.true_loops, account.false_kept,
                      account.true_dropped, account.error, account.stated_noise, account.shown_noise,
                      account.milliseconds);
 }
 
 std::vector<std::string> doubtingSolverNames() {
-  return {"doubt", "huber", "cauchy", "scaling", "graduated"};
+  return {"doubt", "plain", "huber", "cauchy", "scaling", "graduated"};
 }
 
 DoubtingSolver doubtingSolver(const std::string& name) {
@@ -158,24 +158,24 @@ DoubtingSolver doubtingSolver(const std::string& name) {
   if (name == "doubt") {
     return [](PoseGraph& graph) { return graph::solveWithDoubtfulLoops(graph).solution.weights; };
   }
-  return
-      [kind = graph::kernelFromName(name)](PoseGraph& graph) { return solveByKernel(graph, kind); };
+  const auto kind = name == "plain" ? graph::KernelKind::kNone : graph::kernelFromName(name);
+  return [kind](PoseGraph& graph) { return solveByKernel(graph, kind); };
 }
 
 OutlierAccount outlierAccountFor(const CleanGraph& clean, const FalseLoops& wanted,
                                  const std::string& solver) {
-  using Clock = std::chrono::steady_clock;
   OutlierAccount account;
   account.graph = clean.name;
+  account.poses = clean.graph.poses.size();
   account.solver = solver;
   account.wanted = wanted;
   account.stated_noise = clean.stated_noise;
   account.shown_noise = clean.shown_noise;
   const DoubtingSolver solve = doubtingSolver(solver);
   PoseGraph graph = withFalseLoops(clean, wanted);
-  const auto start = Clock::now();
+  const CpuTimer timer;
   const std::vector<double> weights = solve(graph);
-  account.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  account.milliseconds = 1e3 * timer.seconds();
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     const bool is_loop = graph.constraints[k].kind == ConstraintKind::kLoop;
     const bool is_false = k >= clean.graph.constraints.size();
@@ -190,13 +190,11 @@ OutlierAccount outlierAccountFor(const CleanGraph& clean, const FalseLoops& want
 
 void sweepOutliers(const CleanGraph& clean, const OutlierSweep& sweep,
                    const std::function<void(const OutlierAccount&)>& report) {
-  for (const std::string& solver : sweep.solvers) {
-    report(outlierAccountFor(clean, {0, 1, 0}, solver));
-    for (const std::size_t group : sweep.groups) {
-      for (const std::size_t count : sweep.counts) {
-        for (std::size_t seed = 0; seed < sweep.seeds; ++seed) {
-          report(outlierAccountFor(clean, {count, group, 1000 * count + seed}, solver));
-        }
+  report(outlierAccountFor(clean, {0, 1, 0}, sweep.solver));
+  for (const std::size_t group : sweep.groups) {
+    for (const std::size_t count : sweep.counts) {
+      for (std::size_t seed = 0; seed < sweep.seeds; ++seed) {
+        report(outlierAccountFor(clean, {count, group, 1000 * count + seed}, sweep.solver));
       }
     }
   }

@@ -42,6 +42,7 @@ struct FalseLoops {
 /// How a solver that doubts fared with them.
 struct OutlierAccount {
   std::string graph;
+  std::size_t poses{0};
   std::string solver;
   FalseLoops wanted;
   std::size_t true_loops{0};
@@ -50,7 +51,7 @@ struct OutlierAccount {
   double error{0.0};         ///< [m] root mean square distance of the poses from the clean solution
   double stated_noise{0.0};  ///< [m] of the clean solution
   double shown_noise{0.0};   ///< [m]
-  double milliseconds{0.0};  ///< of the whole, first guess and all
+  double milliseconds{0.0};  ///< on a processor, of the whole, first guess and all
 };
 
 [[nodiscard]] std::string outlierHead();
@@ -59,8 +60,9 @@ struct OutlierAccount {
 /// Solves a graph in place. @return weights of all constraints
 using DoubtingSolver = std::function<std::vector<double>(graph::PoseGraph&)>;
 
-/// "doubt" is graph::solveWithDoubtfulLoops; "huber", "cauchy", "scaling" and "graduated" are
-/// graph::GraphSolver with that kernel on loops, three standard deviations wide, from the odometry.
+/// "doubt" is graph::solveWithDoubtfulLoops; "plain" is graph::GraphSolver without a kernel, from
+/// the best first guess; "huber", "cauchy", "scaling" and "graduated" are the same with that kernel
+/// on loops, three standard deviations wide, from the odometry, which no false loop has touched.
 [[nodiscard]] std::vector<std::string> doubtingSolverNames();
 
 /// @throws std::invalid_argument for a name that is none of these
@@ -73,10 +75,10 @@ struct OutlierSweep {
   std::vector<std::size_t> counts{10, 20, 50, 100};
   std::vector<std::size_t> groups{1, 5};
   std::size_t seeds{10};
-  std::vector<std::string> solvers{"doubt"};
+  std::string solver{"doubt"};
 };
 
-/// An account for each combination, and one without false loops for each solver.
+/// An account for each combination, after one without false loops.
 /// @param report called with each account as soon as it is there
 void sweepOutliers(const CleanGraph& clean, const OutlierSweep& sweep,
                    const std::function<void(const OutlierAccount&)>& report);
