@@ -158,13 +158,20 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   report.distance = evaluation::pathLength(results.estimate);
   report.scans = account.scans;
   report.keyframes = account.keyframes;
-  report.loops = evaluation::loopFigures(pipeline.graph());
+  report.loops = evaluation::loopFigures(pipeline.graph(), solved.weights);
+  for (const graph::Constraint& loop : pipeline.withdrawnLoops()) {
+    report.loops->push_back(evaluation::withdrawnFigures(pipeline.graph(), loop));
+  }
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
   if (account.untrusted > 0) {
     report.notes.push_back(
         fmt::format("At {} keyframes the scan match was not trusted and the odometry stood alone.",
                     account.untrusted));
+  }
+  if (!pipeline.withdrawnLoops().empty()) {
+    report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
+                                       pipeline.withdrawnLoops().size()));
   }
   if (!solved.message.empty()) {
     report.notes.push_back("The last solve failed: " + solved.message + ".");

@@ -187,6 +187,7 @@ void read(ParameterReader& reader, GraphSlamNodeConfig& config) {
   reader.read("transform_rate", config.transform_rate, kRate);
   reader.read("transform_tolerance", config.transform_tolerance, kDuration);
   reader.read("solve_error", config.back_end.solve_error, {0.0, 1000.0});
+  reader.read("loop_gate", config.back_end.doubt.gate, {1.0, 1000.0});
   read(reader.group("incremental"), config.back_end.graph);
   read(reader.group("solver"), config.back_end.graph.solver);
   reader.faults(config.back_end.validate());

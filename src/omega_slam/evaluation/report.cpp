@@ -48,6 +48,9 @@ Json loopsJson(const std::vector<LoopFigures>& loops) {
                     {"residual_rotation", loop.residual_rotation},
                     {"chi_square", loop.chi_square},
                     {"confidence", loop.confidence}});
+    if (loop.weight) {
+      list.back()["weight"] = *loop.weight;
+    }
   }
   return list;
 }
@@ -96,22 +99,37 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
+LoopFigures figuresOf(const graph::PoseGraph& graph, const graph::Constraint& loop) {
+  const geometry::Pose2 believed =
+      geometry::relativePose(graph.poses.at(loop.from), graph.poses.at(loop.to));
+  const Eigen::Vector3d residual = geometry::relativePose(loop.T_from_to, believed).vector();
+  return {loop.from,
+          loop.to,
+          residual.head<2>().norm(),
+          std::abs(residual.z()),
+          residual.dot(loop.information * residual),
+          loop.confidence};
+}
+
 }  // namespace
 
-std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph) {
+std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
+                                     const std::vector<double>& weights) {
   std::vector<LoopFigures> figures;
-  for (const graph::Constraint& constraint : graph.constraints) {
-    if (constraint.kind != graph::ConstraintKind::kLoop) {
-      continue;
+  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+    if (graph.constraints[k].kind == graph::ConstraintKind::kLoop) {
+      figures.push_back(figuresOf(graph, graph.constraints[k]));
+      if (!weights.empty()) {
+        figures.back().weight = weights.at(k);
+      }
     }
-    const geometry::Pose2 believed =
-        geometry::relativePose(graph.poses.at(constraint.from), graph.poses.at(constraint.to));
-    const Eigen::Vector3d residual =
-        geometry::relativePose(constraint.T_from_to, believed).vector();
-    figures.push_back({constraint.from, constraint.to, residual.head<2>().norm(),
-                       std::abs(residual.z()), residual.dot(constraint.information * residual),
-                       constraint.confidence});
   }
+  return figures;
+}
+
+LoopFigures withdrawnFigures(const graph::PoseGraph& graph, const graph::Constraint& loop) {
+  LoopFigures figures = figuresOf(graph, loop);
+  figures.weight = 0.0;
   return figures;
 }
 

@@ -23,10 +23,17 @@ struct LoopFigures {
   double residual_rotation{0.0};     ///< [rad], absolute
   double chi_square{0.0};
   double confidence{0.0};
+  std::optional<double> weight{};  ///< with which it counts: 0 if it was withdrawn
 };
 
 /// The loops of a graph in their order, measured at its poses.
-[[nodiscard]] std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph);
+/// @param weights of all constraints, as graph::SolveReport has them; empty if nobody knows
+[[nodiscard]] std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
+                                                   const std::vector<double>& weights = {});
+
+/// A loop that was withdrawn from a graph.
+[[nodiscard]] LoopFigures withdrawnFigures(const graph::PoseGraph& graph,
+                                           const graph::Constraint& loop);
 
 /// Length of a path [m].
 [[nodiscard]] double pathLength(const geometry::Trajectory& trajectory);

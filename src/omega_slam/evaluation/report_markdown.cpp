@@ -116,12 +116,13 @@ std::string loopList(std::vector<LoopFigures> loops) {
   });
   std::string text =
       "\n## Loops\n\nThe least believable first.\n\n"
-      "| from | to | residual | rotation | chi-square | confidence |\n"
-      "| --- | --- | --- | --- | --- | --- |\n";
+      "| from | to | residual | rotation | chi-square | confidence | weight |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const LoopFigures& loop : loops) {
-    text += fmt::format("| {} | {} | {:.3f} m | {:.2f} deg | {:.3g} | {:.2f} |\n", loop.from,
+    text += fmt::format("| {} | {} | {:.3f} m | {:.2f} deg | {:.3g} | {:.2f} | {} |\n", loop.from,
                         loop.to, loop.residual_translation,
-                        radiansToDegrees(loop.residual_rotation), loop.chi_square, loop.confidence);
+                        radiansToDegrees(loop.residual_rotation), loop.chi_square, loop.confidence,
+                        loop.weight ? fmt::format("{:.2f}", *loop.weight) : "-");
   }
   return text;
 }

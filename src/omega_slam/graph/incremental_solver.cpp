@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/validation.h"
@@ -119,6 +120,11 @@ void IncrementalSolver::batch() {
 
 SolveReport IncrementalSolver::withdraw(std::size_t k) {
   graph_.constraints.erase(graph_.constraints.begin() + static_cast<std::ptrdiff_t>(k));
+  return finish();
+}
+
+SolveReport IncrementalSolver::resume(PoseGraph graph) {
+  graph_ = std::move(graph);
   return finish();
 }
 

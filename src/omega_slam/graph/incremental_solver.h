@@ -45,6 +45,9 @@ class IncrementalSolver {
   /// @param k index into the graph's constraints
   SolveReport withdraw(std::size_t k);
 
+  /// Goes on with another graph, such as this one without some loops. Solves until the poses rest.
+  SolveReport resume(PoseGraph graph);
+
   /// Solves until the poses rest. Kernels are weighed anew at each step.
   SolveReport finish();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/graph/linearization.h"
@@ -31,6 +32,7 @@ std::vector<std::string> BackEndConfig::validate() const {
   geometry::Violations violations;
   violations.include("graph", graph.validate());
   violations.requireAtLeast("solve_error", solve_error, 0.0);
+  violations.include("doubt", doubt.validate());
   return violations.sentences();
 }
 
@@ -83,7 +85,39 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
 
 const graph::SolveReport& BackEnd::solve() {
   report_ = solver_.finish();
+  if (isAnyLoopFarOff()) {
+    doubtLoops();
+  }
   return report_;
+}
+
+bool BackEnd::isAnyLoopFarOff() const {
+  const double gate = config_.doubt.gate * config_.doubt.gate;
+  return std::any_of(graph().constraints.begin(), graph().constraints.end(),
+                     [&](const Constraint& constraint) {
+                       return constraint.kind == graph::ConstraintKind::kLoop &&
+                              graph::chiSquare(graph(), constraint) > gate;
+                     });
+}
+
+void BackEnd::doubtLoops() {
+  graph::PoseGraph all = graph();
+  all.constraints.insert(all.constraints.end(), withdrawn_.begin(), withdrawn_.end());
+  const graph::RobustReport doubt = graph::solveWithDoubtfulLoops(all, config_.doubt);
+  if (doubt.solution.status != graph::SolveStatus::kConverged) {
+    return;
+  }
+  std::vector<bool> is_contradicted(all.constraints.size(), false);
+  for (const graph::LoopVerdict& loop : doubt.loops) {
+    is_contradicted[loop.constraint] = loop.standing == graph::LoopStanding::kContradicted;
+  }
+  withdrawn_.clear();
+  std::vector<Constraint> kept;
+  for (std::size_t k = 0; k < all.constraints.size(); ++k) {
+    (is_contradicted[k] ? withdrawn_ : kept).push_back(all.constraints[k]);
+  }
+  all.constraints = std::move(kept);
+  report_ = solver_.resume(std::move(all));
 }
 
 Pose2 BackEnd::mapFromOdometry() const {

@@ -6,6 +6,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/incremental_solver.h"
 #include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/graph/robust_loops.h"
 #include "omega_slam/graph/solver.h"
 
 namespace omega_slam::slam {
@@ -15,11 +16,18 @@ struct BackEndConfig {
   /// The graph is solved until it rests when a loop lies off by more than so many standard
   /// deviations.
   double solve_error{1.0};
+  /// When a loop lies off by more than `doubt.gate` in the solved graph, all loops are doubted.
+  graph::RobustConfig doubt;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
 /// Holds the graph, keeps it solved, and says where the odometry frame lies in the map.
+///
+/// Loops may be false. As long as no loop lies far off once the graph is solved, nothing speaks
+/// against any. Else those that the rest contradicts are withdrawn (graph/robust_loops.h), and come
+/// back if the next doubt finds them right. What would fit by accident stays: the front end has
+/// gates of its own.
 /// Not thread-safe: one owner calls it.
 class BackEnd {
  public:
@@ -37,12 +45,14 @@ class BackEnd {
   /// @return why the first bad one was refused, a short stable phrase; or empty
   std::string addConstraints(const std::vector<graph::Constraint>& constraints);
 
-  /// Solves the whole graph until it rests.
+  /// Solves the whole graph until it rests, without the loops that are then withdrawn.
   const graph::SolveReport& solve();
 
   [[nodiscard]] const graph::PoseGraph& graph() const { return solver_.graph(); }
   /// Of the last solve of the whole graph.
   [[nodiscard]] const graph::SolveReport& report() const { return report_; }
+  /// Loops that the rest contradicts; they are no part of the graph.
+  [[nodiscard]] const std::vector<graph::Constraint>& withdrawn() const { return withdrawn_; }
 
   /// `T_map_odom = T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is
   /// none.
@@ -51,10 +61,14 @@ class BackEnd {
   void reset();
 
  private:
+  [[nodiscard]] bool isAnyLoopFarOff() const;
+  void doubtLoops();
+
   BackEndConfig config_;
   graph::IncrementalSolver solver_;
   geometry::Pose2 T_odom_newest_;
   graph::SolveReport report_;
+  std::vector<graph::Constraint> withdrawn_;
 };
 
 }  // namespace omega_slam::slam

@@ -46,6 +46,10 @@ class Pipeline {
   const graph::SolveReport& finish();
 
   [[nodiscard]] const graph::PoseGraph& graph() const { return back_end_.graph(); }
+  /// BackEnd::withdrawn()
+  [[nodiscard]] const std::vector<graph::Constraint>& withdrawnLoops() const {
+    return back_end_.withdrawn();
+  }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
 
   /// One pose `T_map_base` for every scan that came with a finite stamp, in their order. Between

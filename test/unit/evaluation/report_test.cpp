@@ -23,7 +23,8 @@ Report fullReport() {
   report.distance = 33.25;
   report.scans = ScanFigures{100, {{"range_min below 0", 7}}, {{"no beams", 2}, {"stamp", 1}}};
   report.keyframes = 42;
-  report.loops = std::vector<LoopFigures>{{40, 1, 0.05, 0.01, 2.5, 0.9}, {41, 2, 0.5, 0.1, 9, 0.8}};
+  report.loops =
+      std::vector<LoopFigures>{{40, 1, 0.05, 0.01, 2.5, 0.9}, {41, 2, 0.5, 0.1, 9, 0.8, 0.25}};
   report.chi_square = 12.5;
   report.map = grid::GridGeometry{0.05, {-1, -2}, 200, 100};
   report.trajectory_error = TrajectoryError{90, 10, {1, 2, 3}, summarize({0.03, 0.05}), {}};
@@ -45,6 +46,8 @@ TEST(Report, JsonHoldsTheFigures) {
   EXPECT_EQ(json["scans"]["repairs"]["range_min below 0"], 7);
   EXPECT_EQ(json["loops"].size(), 2U);
   EXPECT_EQ(json["loops"][1]["residual_translation"], 0.5);
+  EXPECT_FALSE(json["loops"][0].contains("weight"));
+  EXPECT_EQ(json["loops"][1]["weight"], 0.25);
   EXPECT_EQ(json["map"]["origin"], Json({-1.0, -2.0}));
   EXPECT_NEAR(json["absolute_trajectory_error"]["translation"]["mean"].get<double>(), 0.04, 1e-12);
   EXPECT_EQ(json["relations"]["covered"], 8);
@@ -129,6 +132,21 @@ TEST(LoopFigures, ResidualsAreInTheFrameOfTheMeasurement) {
   EXPECT_NEAR(figures[0].residual_translation, 5.0, 1e-12);
   EXPECT_NEAR(figures[0].residual_rotation, 0.2, 1e-12);
   EXPECT_NEAR(figures[0].chi_square, 9.0 + 32.0 + 0.4, 1e-12);
+}
+
+TEST(LoopFigures, WeightsAreThoseOfTheLoopsAndNoneOfWithdrawnOnes) {
+  graph::PoseGraph graph;
+  graph.poses.resize(2);
+  graph::Constraint loop;
+  loop.to = 1;
+  loop.kind = graph::ConstraintKind::kLoop;
+  graph.constraints = {loop, loop};
+  graph.constraints[0].kind = graph::ConstraintKind::kMatch;
+  EXPECT_EQ(loopFigures(graph, {0.5, 0.25})[0].weight, 0.25);
+  EXPECT_FALSE(loopFigures(graph)[0].weight);
+  loop.T_from_to.x = 3.0;
+  EXPECT_EQ(withdrawnFigures(graph, loop).weight, 0.0);
+  EXPECT_EQ(withdrawnFigures(graph, loop).residual_translation, 3.0);
 }
 
 TEST(PathLength, SumsTheSteps) {

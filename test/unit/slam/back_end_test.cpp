@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/false_loops.h"
 #include "support/poses.h"
 
 namespace omega_slam::slam {
@@ -90,9 +91,75 @@ TEST(BackEnd, RefusesWhatWouldCorruptTheGraph) {
   EXPECT_EQ(back_end.graph().constraints.size(), 2U) << "the good one is kept";
 }
 
+/// Loops come with the later of their nodes.
+BackEnd play(const graph::PoseGraph& graph) {
+  BackEnd back_end;
+  for (NodeId id = 0; id < graph.poses.size(); ++id) {
+    std::vector<Constraint> steps;
+    std::vector<Constraint> loops;
+    for (const Constraint& constraint : graph.constraints) {
+      if (std::max(constraint.from, constraint.to) == id) {
+        (constraint.kind == ConstraintKind::kLoop ? loops : steps).push_back(constraint);
+      }
+    }
+    EXPECT_EQ(back_end.addKeyframe(id, {}, steps), "");
+    EXPECT_EQ(back_end.addConstraints(loops), "");
+  }
+  back_end.solve();
+  return back_end;
+}
+
+double worstGap(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    worst = std::max(worst, distance(a[i], b[i]));
+  }
+  return worst;
+}
+
+TEST(BackEnd, FalseLoopsAreWithdrawnWheneverTheyCome) {
+  std::mt19937_64 random(3);
+  auto problem = test::drivenRounds({}, random);
+  const auto clean = play(problem.graph).graph();
+  const std::size_t count = problem.graph.constraints.size();
+  test::addFalseLoops(problem, 6, 1, random);
+  test::addFalseLoops(problem, 2, 3, random);
+  const BackEnd back_end = play(problem.graph);
+  EXPECT_EQ(back_end.graph().constraints.size(), count);
+  EXPECT_EQ(back_end.withdrawn().size(), 12U);
+  EXPECT_EQ(back_end.report().weights.size(), count);
+  EXPECT_LT(worstGap(back_end.graph().poses, clean.poses), 0.02);
+}
+
+/// At first, three false loops that agree outvote a true one.
+TEST(BackEnd, WithdrawnLoopComesBackWhenMoreIsKnown) {
+  std::mt19937_64 random(5);
+  const auto problem = test::drivenRounds({}, random);
+  const auto first_loop =
+      problem.graph.constraints.begin() + static_cast<std::ptrdiff_t>(problem.truth.size()) - 1;
+  graph::PoseGraph steps = problem.graph;
+  steps.constraints = {problem.graph.constraints.begin(), first_loop};
+  BackEnd back_end = play(steps);
+  std::vector<Constraint> lies(first_loop + 10, first_loop + 13);
+  for (Constraint& lie : lies) {
+    lie.T_from_to = Pose2{0.4, 0.0, 0.0} * lie.T_from_to;
+  }
+  EXPECT_EQ(back_end.addConstraints(lies), "");
+  const Constraint& truth = first_loop[11];
+  EXPECT_EQ(back_end.addConstraints({truth}), "");
+  ASSERT_EQ(back_end.withdrawn().size(), 1U);
+  EXPECT_EQ(back_end.withdrawn()[0].T_from_to.x, truth.T_from_to.x);
+  std::vector<Constraint> others(first_loop, first_loop + 10);
+  others.insert(others.end(), first_loop + 13, problem.graph.constraints.end());
+  EXPECT_EQ(back_end.addConstraints(others), "");
+  EXPECT_EQ(back_end.withdrawn().size(), 3U);
+  EXPECT_EQ(back_end.graph().constraints.size(), problem.truth.size() - 1 + others.size() + 1);
+}
+
 TEST(BackEnd, ResetForgetsAll) {
   BackEnd back_end = squareWithGap();
   back_end.reset();
+  EXPECT_TRUE(back_end.withdrawn().empty());
   EXPECT_TRUE(back_end.graph().poses.empty());
   EXPECT_TRUE(back_end.graph().constraints.empty());
   EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
