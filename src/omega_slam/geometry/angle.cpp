@@ -8,8 +8,8 @@ double normalizeAngle(double angle) {
   if (angle >= -kPi && angle < kPi) {
     return angle;  // as most are
   }
-  const double wrapped = angle - 2.0 * kPi * std::floor((angle + kPi) / (2.0 * kPi));
-  // Rounding may carry a value just below -pi up to exactly pi.
+  // Exact, however many turns; pi itself is left to be wrapped.
+  const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped >= kPi ? wrapped - 2.0 * kPi : wrapped;
 }
 

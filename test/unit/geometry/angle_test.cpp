@@ -22,6 +22,16 @@ TEST(Angle, NeverReachesPiByRounding) {
   EXPECT_LT(normalizeAngle(just_below), kPi);
 }
 
+TEST(Angle, IsExactHoweverManyTurns) {
+  // 2 kPi is a little less than a full turn; this is so many times it, to the last bit.
+  EXPECT_EQ(normalizeAngle(std::ldexp(2.0 * kPi, 60)), 0.0);
+  for (const double angle : {1e16, -1e16, 1e18, 1e300, std::numeric_limits<double>::max()}) {
+    EXPECT_GE(normalizeAngle(angle), -kPi) << angle;
+    EXPECT_LT(normalizeAngle(angle), kPi) << angle;
+    EXPECT_EQ(normalizeAngle(angle), -normalizeAngle(-angle)) << angle;
+  }
+}
+
 TEST(Angle, DifferenceTakesTheShortWay) {
   EXPECT_NEAR(angleDifference(-3.1, 3.1), 2.0 * kPi - 6.2, 1e-12);
   EXPECT_NEAR(angleDifference(3.1, -3.1), 6.2 - 2.0 * kPi, 1e-12);
