@@ -23,6 +23,9 @@ void guessByTree(PoseGraph& graph, Growth growth) {
   for (const NodeId node : forest.order) {
     graph.poses[node] = poseByTree(graph, forest, node);
   }
+  for (const NodeId point : graph.points) {
+    graph.poses[point].theta = 0.0;  // not that of the pose that sees it
+  }
 }
 
 /// Far below half a turn, where the wrong valleys begin. Where a tree is contradicted by more,

@@ -23,6 +23,15 @@
 namespace omega_slam::graph {
 namespace {
 
+/// Text of a file as it can be shown to a person, whatever it is.
+std::string shown(const std::string& text) {
+  constexpr std::size_t kLongest = 40;
+  std::string shown = text.substr(0, kLongest);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text.size() > kLongest ? shown + "..." : shown;
+}
+
 /// The fields of one line; every complaint names file and line.
 class Line {
  public:
@@ -36,7 +45,8 @@ class Line {
 
   NodeId id() {
     std::int64_t value = -1;
-    if (!(stream_ >> value) || value < 0 || value > std::numeric_limits<NodeId>::max()) {
+    if (!(stream_ >> value) || !isFieldEnd() || value < 0 ||
+        value > std::numeric_limits<NodeId>::max()) {
       throw fault("an id is missing or not a whole number from 0 to 4294967295");
     }
     return static_cast<NodeId>(value);
@@ -44,7 +54,7 @@ class Line {
 
   double number() {
     double value = 0.0;
-    if (!(stream_ >> value) || !std::isfinite(value)) {
+    if (!(stream_ >> value) || !isFieldEnd() || !std::isfinite(value)) {
       throw fault("a field is missing or not a finite number");
     }
     return value;
@@ -66,16 +76,21 @@ class Line {
   void end() {
     std::string rest;
     if (stream_ >> rest) {
-      throw fault(fmt::format("there is more than expected: '{}'", rest));
+      throw fault(fmt::format("there is more than expected: '{}'", shown(rest)));
     }
   }
 
   [[nodiscard]] std::runtime_error fault(const std::string& why) const {
     return std::runtime_error(
-        fmt::format("{}: {}{}.", where_, tag_.empty() ? "" : tag_ + ": ", why));
+        fmt::format("{}: {}{}.", where_, tag_.empty() ? "" : shown(tag_) + ": ", why));
   }
 
  private:
+  /// Whether a number ends where its field does: "2.5" is not an id with ".5" behind it.
+  [[nodiscard]] bool isFieldEnd() {
+    return stream_.eof() || std::isspace(static_cast<char>(stream_.peek()), stream_.getloc());
+  }
+
   std::string where_;
   std::istringstream stream_;
   std::string tag_;
@@ -141,7 +156,6 @@ void readSight(Line& line, const std::string& where, Content& content) {
   constraint.kind = ConstraintKind::kLandmark;
   constraint.T_from_to = line.point();
   constraint.information = readInformation(line, {{0, 0}, {0, 1}, {1, 1}});
-  content.points.insert(constraint.to);
   content.constraints.emplace_back(constraint, where);
 }
 
@@ -179,6 +193,24 @@ void nameNodes(Content& content) {
   for (const auto& [constraint, where] : content.constraints) {
     content.poses.emplace(constraint.from, geometry::Pose2{});
     content.poses.emplace(constraint.to, geometry::Pose2{});
+    if (constraint.kind == ConstraintKind::kLandmark) {
+      content.points.insert(constraint.to);
+    }
+  }
+}
+
+/// Points are seen, by EDGE_SE2_XY, and nothing else is.
+void requireKinds(const Constraint& constraint, const std::string& where,
+                  const std::set<NodeId>& points) {
+  const bool is_point = points.count(constraint.to) > 0;
+  const bool is_sight = constraint.kind == ConstraintKind::kLandmark;
+  if (points.count(constraint.from) > 0 || (is_point && !is_sight)) {
+    throw std::runtime_error(
+        fmt::format("{}: a point can only be the second node of an EDGE_SE2_XY.", where));
+  }
+  if (is_sight && !is_point) {
+    throw std::runtime_error(
+        fmt::format("{}: node {} is a pose, and was to be a point.", where, constraint.to));
   }
 }
 
@@ -214,20 +246,15 @@ GraphFile number(const Content& content) {
     return found->second;
   };
   for (const auto& [constraint, where] : content.constraints) {
-    const bool is_point = content.points.count(constraint.to) > 0;
-    if (content.points.count(constraint.from) > 0 ||
-        is_point != (constraint.kind == ConstraintKind::kLandmark)) {
-      throw std::runtime_error(
-          fmt::format("{}: a point can only be the second node of an EDGE_SE2_XY.", where));
-    }
     file.graph.constraints.push_back(constraint);
     file.graph.constraints.back().from = find(constraint.from, where);
     file.graph.constraints.back().to = find(constraint.to, where);
+    requireKinds(constraint, where, content.points);
   }
+  std::set<NodeId> held;
   for (const auto& [id, where] : content.fixed) {
     const NodeId node = find(id, where);
-    const auto& held = file.graph.held;
-    if (std::find(held.begin(), held.end(), node) == held.end()) {
+    if (held.insert(node).second) {
       file.graph.held.push_back(node);
     }
   }
@@ -236,6 +263,19 @@ GraphFile number(const Content& content) {
   }
   tellOdometry(file.graph);
   return file;
+}
+
+/// First guesses of nodes of which a file has edges only.
+void guessFromEdges(GraphFile& file, const std::string& name) {
+  PoseGraph& graph = file.graph;
+  applyGuess(graph, FirstGuess::kOdometry);
+  const auto lost = std::find_if_not(graph.poses.begin(), graph.poses.end(),
+                                     [](const geometry::Pose2& pose) { return pose.isFinite(); });
+  if (lost != graph.poses.end()) {
+    const auto node = static_cast<std::size_t>(lost - graph.poses.begin());
+    throw std::runtime_error(
+        fmt::format("{}: the edges that lead to node {} are too long.", name, file.ids[node]));
+  }
 }
 
 }  // namespace
@@ -257,7 +297,7 @@ GraphFile readGraph(std::string_view text, const std::string& name) {
   }
   GraphFile file = number(content);
   if (has_edges_only) {
-    applyGuess(file.graph, FirstGuess::kOdometry);
+    guessFromEdges(file, name);
   }
   return file;
 }

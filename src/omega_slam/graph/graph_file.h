@@ -24,7 +24,7 @@ struct GraphFile {
 [[nodiscard]] std::string toG2o(const PoseGraph& graph);
 
 /// The same as TORO writes it: `VERTEX2 id x y theta` and
-/// `EDGE2 from to x y theta I11 I12 I22 I33 I13 I23`.
+/// `EDGE2 from to x y theta I11 I12 I22 I33 I13 I23`. Which nodes are held has no place in it.
 /// @throws std::invalid_argument if the graph has points, for which TORO has no tag
 [[nodiscard]] std::string toToro(const GraphFile& file);
 
@@ -38,7 +38,8 @@ struct GraphFile {
 /// @param name how messages call the text, such as a path
 /// @throws std::runtime_error "name:line: why" for a line that is malformed, a number that is not
 /// finite, an information matrix that is not positive semi-definite, an id that is double or
-/// unknown, a tag that is none of these
+/// unknown or of a node of the other kind, a tag that is none of these; "name: why" for edges alone
+/// that lead beyond all numbers. What it quotes is short and printable.
 [[nodiscard]] GraphFile readGraph(std::string_view text, const std::string& name);
 
 /// Reads a file. @throws std::runtime_error as above, or if the file can't be read

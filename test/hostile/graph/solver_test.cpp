@@ -65,6 +65,11 @@ TEST(SolverHostile, FaultsOfConstraintsAreNamed) {
   bad.information(1, 1) = -1.0;
   EXPECT_THAT(faultOf(bad, 2), testing::HasSubstr("positive"));
   bad = tie(0, 1);
+  bad.information(0, 1) = 0.5;
+  EXPECT_THAT(faultOf(bad, 2), testing::HasSubstr("symmetric"));
+  bad.information(1, 0) = bad.information(0, 1) = std::nan("");
+  EXPECT_THAT(faultOf(bad, 2), testing::HasSubstr("not finite"));
+  bad = tie(0, 1);
   bad.information.setZero();
   EXPECT_THAT(faultOf(bad, 2), testing::HasSubstr("zero"));
 }
