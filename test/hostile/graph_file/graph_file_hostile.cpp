@@ -109,8 +109,7 @@ TEST(GraphFileHostile, ComplaintsAboutABinaryFileAreShortAndPrintable) {
   EXPECT_THAT(said, HasSubstr("bad.g2o:1: FIX?[2J??"));
 }
 
-/// Texts that once broke a law.
-TEST(GraphFileHostile, WhatWasFoundByFuzzingStaysFixed) {
+TEST(GraphFileHostile, TextsThatOnceBrokeALawKeepItNow) {
   for (const char* text : {
            "VERTEX_SE2 0 0 0 1e16\n",
            "EDGE_SE2 0 1 0 0 1e18 1 0 0 1 0 1\n",
