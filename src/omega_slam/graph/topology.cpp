@@ -2,29 +2,44 @@
 
 #include <algorithm>
 #include <deque>
+#include <numeric>
 #include <utility>
 
 namespace omega_slam::graph {
 
-std::vector<std::vector<std::size_t>> constraintsByNode(const PoseGraph& graph) {
-  std::vector<std::vector<std::size_t>> touching(graph.poses.size());
-  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
-    touching[graph.constraints[k].from].push_back(k);
-    touching[graph.constraints[k].to].push_back(k);
-  }
-  return touching;
-}
-
 namespace {
+
+/// Which constraints touch each node, in their order.
+class ConstraintsByNode {
+ public:
+  explicit ConstraintsByNode(const PoseGraph& graph)
+      : begins_(graph.poses.size() + 1, 0), indices_(2 * graph.constraints.size()) {
+    for (const Constraint& constraint : graph.constraints) {
+      ++begins_[constraint.from];
+      ++begins_[constraint.to];
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    for (std::size_t k = graph.constraints.size(); k-- > 0;) {  // ends become begins on the way
+      indices_[--begins_[graph.constraints[k].to]] = k;
+      indices_[--begins_[graph.constraints[k].from]] = k;
+    }
+  }
+
+  template <typename Action>
+  void forEach(NodeId node, Action act) const {
+    std::for_each(indices_.data() + begins_[node], indices_.data() + begins_[node + 1], act);
+  }
+
+ private:
+  std::vector<std::size_t> begins_;
+  std::vector<std::size_t> indices_;
+};
 
 /// Grows trees from a root until nothing more can be reached.
 class Grower {
  public:
   Grower(const PoseGraph& graph, Growth growth)
-      : graph_(graph),
-        growth_(growth),
-        touching_(constraintsByNode(graph)),
-        is_reached_(graph.poses.size(), false) {
+      : graph_(graph), growth_(growth), touching_(graph), is_reached_(graph.poses.size(), false) {
     forest_.order.reserve(graph.poses.size());
     forest_.by_constraint.assign(graph.poses.size(), SpanningForest::kRoot);
   }
@@ -60,24 +75,24 @@ class Grower {
   };
 
   void reachFrom(NodeId node) {
-    for (const std::size_t k : touching_[node]) {
+    touching_.forEach(node, [&](std::size_t k) {
       const Constraint& constraint = graph_.constraints[k];
       const NodeId other = constraint.from == node ? constraint.to : constraint.from;
       const auto [low, high] = std::minmax(node, other);
       if (is_reached_[other]) {
-        continue;
+        return;
       }
       if (growth_ == Growth::kChain && high - low == 1) {
         waiting_.push_front({other, k});
       } else {
         waiting_.push_back({other, k});
       }
-    }
+    });
   }
 
   const PoseGraph& graph_;
   Growth growth_;
-  std::vector<std::vector<std::size_t>> touching_;
+  ConstraintsByNode touching_;
   std::vector<bool> is_reached_;
   std::deque<Branch> waiting_;
   SpanningForest forest_;

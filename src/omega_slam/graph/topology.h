@@ -7,9 +7,6 @@
 
 namespace omega_slam::graph {
 
-/// Which constraints touch a node: indices into PoseGraph::constraints, in their order.
-[[nodiscard]] std::vector<std::vector<std::size_t>> constraintsByNode(const PoseGraph& graph);
-
 /// Trees in which every node hangs on an earlier one of `order` by a constraint; roots hang on
 /// nothing. Roots are the held nodes of the graph, and one node, the lowest, of each part in which
 /// none is held: those that a solver must not move, since nothing says where they lie.
