@@ -34,14 +34,15 @@ def peersSection(results):
 
 def contestRow(graph, contest):
     ours = contest.ours()
-    peer = contest.fastest(set(solversOf(contest.rows)) - {'ours'})
+    peers = set(solversOf(contest.rows)) - {'ours'}
+    peer = contest.fastest(peers)
     cells = [graph, f'{ours["poses"]:.0f}', number(contest.least, 8),
              number(KNOWN[graph], 8) if graph in KNOWN else '-', number(ours['chi_square'], 8),
              f'{ours["milliseconds"]:.2f}']
     if peer is None:
         return cells + ['none', '-', '-', '-']
-    with_guess = ((ours['milliseconds'] + ours['guess_milliseconds']) /
-                  (peer['milliseconds'] + contest.guessTime(peer['guess'])))
+    with_guess = contest.wholeTime(ours) / contest.wholeTime(
+        contest.fastest(peers, contest.wholeTime))
     cells += [f'{labelOf(peer["solver"])}, {peer["guess"]}', f'{peer["milliseconds"]:.2f}']
     if not contest.reaches(ours):
         return cells + ['not reached', '-']

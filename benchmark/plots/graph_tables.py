@@ -80,12 +80,13 @@ class Contest:
         return next((row for row in self.rows if row['solver'] == 'ours'
                      and row['guess'] == 'best'), None)
 
-    def fastest(self, solvers):
+    def fastest(self, solvers, time=lambda row: row['milliseconds']):
         """The row of those solvers that reaches the least chi-square soonest; None without any."""
         rows = [row for row in self.rows if row['solver'] in solvers and self.reaches(row)]
-        return min(rows, key=lambda row: row['milliseconds'], default=None)
+        return min(rows, key=time, default=None)
 
-    def guessTime(self, guess):
-        """Of a first guess, which is ours for whichever solver goes on from it [ms]."""
-        return next((row['guess_milliseconds'] for row in self.rows
-                     if row['solver'] == 'ours' and row['guess'] == guess), 0.0)
+    def wholeTime(self, row):
+        """Of a solve and its first guess, which is ours, whichever solver goes on from it [ms]."""
+        guess = next((other['guess_milliseconds'] for other in self.rows
+                      if other['solver'] == 'ours' and other['guess'] == row['guess']), 0.0)
+        return row['milliseconds'] + guess

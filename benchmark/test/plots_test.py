@@ -110,6 +110,12 @@ class Solves(unittest.TestCase):
         self.assertIn('| g2o Gauss-Newton, tree | 5.00 | 0.80 | 0.83 |', table)
         self.assertIn('without GTSAM', peers)
 
+    def testTheTimeOfAGuessCountsOnBothSides(self):
+        dear = {**solve('ours', 'chordal', 9), 'guess_milliseconds': 6.0}
+        table, _ = self.contest(solve('ours', 'best', 4), solve('ours', 'tree', 9), dear,
+                                solve('g2o_gn', 'tree', 7), solve('g2o_gn', 'chordal', 5))
+        self.assertIn('| g2o Gauss-Newton, chordal | 5.00 | 0.80 | 0.62 |', table)
+
     def testThereIsNoRatioForTheWrongMinimum(self):
         table, _ = self.contest(solve('ours', 'best', 4, 101.0), solve('g2o_gn', 'tree', 5))
         self.assertIn('| 5.00 | not reached | - |', table)
