@@ -55,12 +55,12 @@ void SelectedInverse::invert(const FactorColumns& columns, Panel& panel) {
     under.col(i) = Eigen::Map<const Eigen::VectorXd>(values + rest, below);
   }
   const auto lower = own.triangularView<Eigen::Lower>();
-  lower.solveInPlace<Eigen::OnTheRight>(under);
   const Eigen::MatrixXd own_inverse =
       lower.solve(Eigen::MatrixXd::Identity(panel.count, panel.count));
   panel.values.resize(panel.count + below, panel.count);
   panel.values.topRows(panel.count) = own_inverse.transpose() * own_inverse;
   if (below > 0) {
+    lower.solveInPlace<Eigen::OnTheRight>(under);
     panel.values.bottomRows(below).noalias() = -gather(panel.rows) * under;
     panel.values.topRows(panel.count) -= under.transpose() * panel.values.bottomRows(below);
   }
