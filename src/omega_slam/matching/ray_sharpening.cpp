@@ -83,7 +83,8 @@ std::optional<Pose2> sharpenByRays(const Reference& reference, const View& scan,
     return std::nullopt;  // flat
   }
   const double place = line.lowest(std::min(kDeviations * deviation, kReach));
-  if (line.risesAround(place).first < noise) {
+  // What people and doors have changed raises the bottom too; there nothing is to be built on.
+  if (line.risesAround(place).first < noise + line.errorAt(place)) {
     return std::nullopt;
   }
   return line.poseAt(place);

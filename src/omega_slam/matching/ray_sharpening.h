@@ -13,8 +13,8 @@ namespace omega_slam::matching {
 /// Points tie a scan to the lines that they lie on, and noise tilts lines: in a corridor nearly all
 /// that they seem to say of its direction may be pretence, and is not believed (Surface). The rays'
 /// squared error (RayReference) does not need lines. Where it has a valley that rises to both
-/// sides, 0.25 m or rad away, by more than the noise of the ranges, the pose belongs to the bottom
-/// of it.
+/// sides, 0.25 m or rad away, by more than the error at its bottom and the noise of the ranges, the
+/// pose belongs there.
 ///
 /// That is a better pose, but no more certain than the points have it: doors look alike. In
 /// simulated offices, loops that were given the certainty of such valleys too made trajectories
