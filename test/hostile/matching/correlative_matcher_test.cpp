@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "support/match_results.h"
 #include "support/poses.h"
 #include "support/room.h"
 
@@ -16,15 +17,6 @@ namespace {
 using geometry::Pose2;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void expectFinite(const MatchResult& result) {
-  EXPECT_TRUE(result.T_reference_scan.isFinite());
-  EXPECT_TRUE(result.covariance.allFinite());
-  EXPECT_TRUE(std::isfinite(result.residual));
-  EXPECT_GE(result.confidence, 0.0);
-  EXPECT_LE(result.confidence, 1.0);
-  EXPECT_TRUE(!result.open_direction || result.open_direction->allFinite());
-}
 
 View roomSeenFrom(const Pose2& pose) {
   std::mt19937_64 random(1);
@@ -38,7 +30,7 @@ TEST(CorrelativeMatcherHostile, TooFewReturnsAreRefused) {
     const auto as_scan = matcher.match({room}, {few}, {0.1, 0.2, 0.3});
     EXPECT_EQ(as_scan.failure, MatchFailure::kTooFewReturns);
     EXPECT_EQ(as_scan.T_reference_scan.x, 0.1) << "the guess stands";
-    expectFinite(as_scan);
+    test::expectFinite(as_scan);
     EXPECT_EQ(matcher.match({{few}}, room, {}).failure, MatchFailure::kTooFewReturns);
   }
   EXPECT_EQ(matcher.match({}, room, {}).failure, MatchFailure::kTooFewReturns);
@@ -50,13 +42,13 @@ TEST(CorrelativeMatcherHostile, NumbersThatAreNone) {
   for (const double none : {std::nan(""), kInfinity, -kInfinity}) {
     View broken = room;
     broken.points[17].y() = none;
-    expectFinite(matcher.match({room}, broken, {}));
-    expectFinite(matcher.match({broken}, room, {}));
-    expectFinite(matcher.match({room}, room, {none, 0.0, 0.0}));
-    expectFinite(matcher.match({room}, room, {0.0, 0.0, none}));
+    test::expectFinite(matcher.match({room}, broken, {}));
+    test::expectFinite(matcher.match({broken}, room, {}));
+    test::expectFinite(matcher.match({room}, room, {none, 0.0, 0.0}));
+    test::expectFinite(matcher.match({room}, room, {0.0, 0.0, none}));
     broken = room;
     broken.origin.x() = none;
-    expectFinite(matcher.match({room}, broken, {}));
+    test::expectFinite(matcher.match({room}, broken, {}));
   }
 }
 
@@ -72,19 +64,19 @@ TEST(CorrelativeMatcherHostile, AllPointsInOnePlace) {
   const CorrelativeMatcher matcher;
   const View heap{Points(100, {1.0, 1.0}), {0.0, 0.0}};
   const auto result = matcher.match({heap}, heap, {});
-  expectFinite(result);
+  test::expectFinite(result);
   EXPECT_EQ(result.failure, MatchFailure::kDegenerate) << "a point leaves all directions open";
-  expectFinite(matcher.match({roomSeenFrom({})}, heap, {}));
-  expectFinite(matcher.match({heap}, roomSeenFrom({}), {}));
+  test::expectFinite(matcher.match({roomSeenFrom({})}, heap, {}));
+  test::expectFinite(matcher.match({heap}, roomSeenFrom({}), {}));
   const View at_the_laser{Points(100, {0.0, 0.0}), {0.0, 0.0}};
-  expectFinite(matcher.match({at_the_laser}, at_the_laser, {}));
+  test::expectFinite(matcher.match({at_the_laser}, at_the_laser, {}));
 }
 
 TEST(CorrelativeMatcherHostile, PointsInNoOrder) {
   std::mt19937_64 random(5);
   View shuffled = roomSeenFrom({});
   std::shuffle(shuffled.points.begin(), shuffled.points.end(), random);
-  expectFinite(CorrelativeMatcher().match({shuffled}, shuffled, {0.05, 0.05, 0.05}));
+  test::expectFinite(CorrelativeMatcher().match({shuffled}, shuffled, {0.05, 0.05, 0.05}));
 }
 
 TEST(CorrelativeMatcherHostile, PointsAMillionMetresApartNeedNoMoreMemory) {
@@ -97,13 +89,13 @@ TEST(CorrelativeMatcherHostile, PointsAMillionMetresApartNeedNoMoreMemory) {
     for (const auto& result : {matcher.match({spread}, room, {0.1, 0.1, 0.1}),
                                matcher.match({room}, spread, {0.1, 0.1, 0.1}),
                                matcher.match({spread}, spread, {0.1, 0.1, 0.1})}) {
-      expectFinite(result);
+      test::expectFinite(result);
       EXPECT_LT(test::gapBetween(result.T_reference_scan, {}).translation, 0.01) << far;
     }
-    expectFinite(matcher.match({room}, room, {far, -far, far}));
+    test::expectFinite(matcher.match({room}, room, {far, -far, far}));
     View seen_from_afar = room;
     seen_from_afar.origin = {far, -far};
-    expectFinite(matcher.match({seen_from_afar}, seen_from_afar, {0.1, 0.1, 0.1}));
+    test::expectFinite(matcher.match({seen_from_afar}, seen_from_afar, {0.1, 0.1, 0.1}));
   }
 }
 
@@ -113,7 +105,7 @@ TEST(CorrelativeMatcherHostile, NothingButFarReturns) {
     far.points.emplace_back(5000.0 + i, 10.0 * i);
   }
   const auto result = CorrelativeMatcher().match({far}, far, {});
-  expectFinite(result);
+  test::expectFinite(result);
   EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
 }
 
@@ -121,7 +113,7 @@ TEST(CorrelativeMatcherHostile, BeamsTooFarApartToJoin) {
   std::mt19937_64 random(1);
   const View sparse{test::measurePoints(test::furnishedRoom(), {}, 36, 0.0, random), {0.0, 0.0}};
   const auto result = CorrelativeMatcher().match({sparse}, sparse, {0.1, 0.1, 0.05});
-  expectFinite(result);
+  test::expectFinite(result);
   EXPECT_LT(test::gapBetween(result.T_reference_scan, {}).translation, 0.05);
 }
 
@@ -130,7 +122,7 @@ TEST(CorrelativeMatcherHostile, WithoutRefinementTheSearchAnswers) {
   config.max_refinements = 0;
   const Pose2 truth{0.2, -0.1, 0.2};
   const auto result = CorrelativeMatcher(config).match({roomSeenFrom({})}, roomSeenFrom(truth), {});
-  expectFinite(result);
+  test::expectFinite(result);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.failure, MatchFailure::kNotConverged);
   EXPECT_LT(test::gapBetween(result.T_reference_scan, truth).translation, 0.04);
@@ -141,7 +133,7 @@ TEST(CorrelativeMatcherHostile, WindowWithoutAnExtentHoldsTheGuess) {
   config.window = {0.0, 0.0};
   const View room = roomSeenFrom({});
   const auto result = CorrelativeMatcher(config).match({room}, room, {0.03, -0.02, 0.01});
-  expectFinite(result);
+  test::expectFinite(result);
   EXPECT_LT(test::gapBetween(result.T_reference_scan, {}).translation, 2e-3);
 }
 

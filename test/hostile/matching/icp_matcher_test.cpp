@@ -4,19 +4,13 @@
 
 #include <cmath>
 
+#include "support/match_results.h"
 #include "support/room.h"
 
 namespace omega_slam::matching {
 namespace {
 
 using geometry::Pose2;
-
-void expectFinite(const MatchResult& result) {
-  EXPECT_TRUE(result.T_reference_scan.isFinite());
-  EXPECT_TRUE(result.covariance.allFinite());
-  EXPECT_GE(result.confidence, 0.0);
-  EXPECT_LE(result.confidence, 1.0);
-}
 
 Points roomSeenFrom(const Pose2& pose) {
   std::mt19937_64 random(1);
@@ -31,7 +25,7 @@ TEST(IcpMatcherHostile, TooFewReturnsAreRefused) {
     EXPECT_EQ(as_scan.failure, MatchFailure::kTooFewReturns);
     EXPECT_EQ(as_scan.T_reference_scan.x, 0.1) << "the guess stands";
     EXPECT_EQ(as_scan.confidence, 0.0);
-    expectFinite(as_scan);
+    test::expectFinite(as_scan);
     EXPECT_EQ(matcher.match({{few}}, {room}, {}).failure, MatchFailure::kTooFewReturns);
   }
 }
@@ -41,24 +35,25 @@ TEST(IcpMatcherHostile, ScansThatDoNotOverlapAreRefused) {
   const auto result = IcpMatcher().match({{room}}, {room}, {50.0, 0.0, 0.0});
   EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
   EXPECT_EQ(result.confidence, 0.0);
-  expectFinite(result);
+  test::expectFinite(result);
 }
 
 TEST(IcpMatcherHostile, AllPointsInOnePlace) {
   const Points heap(100, {1.0, 1.0});
-  expectFinite(IcpMatcher().match({{heap}}, {heap}, {}));
-  expectFinite(IcpMatcher().match({{roomSeenFrom({})}}, {heap}, {}));
+  test::expectFinite(IcpMatcher().match({{heap}}, {heap}, {}));
+  test::expectFinite(IcpMatcher().match({{roomSeenFrom({})}}, {heap}, {}));
 }
 
 TEST(IcpMatcherHostile, GuessThatIsNotFinite) {
   const Points room = roomSeenFrom({});
-  expectFinite(IcpMatcher().match({{room}}, {room}, {std::nan(""), 0.0, 0.0}));
+  test::expectFinite(IcpMatcher().match({{room}}, {room}, {std::nan(""), 0.0, 0.0}));
 }
 
 TEST(IcpMatcherHostile, OneIterationStillAnswers) {
   IcpMatcherConfig config;
   config.max_iterations = 1;
-  expectFinite(IcpMatcher(config).match({{roomSeenFrom({})}}, {roomSeenFrom({0.3, 0.2, 0.3})}, {}));
+  test::expectFinite(
+      IcpMatcher(config).match({{roomSeenFrom({})}}, {roomSeenFrom({0.3, 0.2, 0.3})}, {}));
 }
 
 TEST(IcpMatcherHostile, SenselessConfigurationThrows) {

@@ -4,20 +4,13 @@
 
 #include <cmath>
 
+#include "support/match_results.h"
 #include "support/room.h"
 
 namespace omega_slam::matching {
 namespace {
 
 using geometry::Pose2;
-
-void expectFinite(const MatchResult& result) {
-  EXPECT_TRUE(result.T_reference_scan.isFinite());
-  EXPECT_TRUE(result.covariance.allFinite());
-  EXPECT_TRUE(std::isfinite(result.residual));
-  EXPECT_GE(result.confidence, 0.0);
-  EXPECT_LE(result.confidence, 1.0);
-}
 
 View roomSeenFrom(const Pose2& pose) {
   std::mt19937_64 random(1);
@@ -34,7 +27,7 @@ TEST(ParticleMatcherHostile, CoveredLaserIsRefused) {
   EXPECT_EQ(result.failure, MatchFailure::kTooManyNear);
   EXPECT_EQ(result.T_reference_scan.x, 0.1) << "the guess stands";
   EXPECT_EQ(result.confidence, 0.0);
-  expectFinite(result);
+  test::expectFinite(result);
   ParticleConfig config;
   config.max_near_share = 0.6;
   EXPECT_NE(ParticleMatcher(config).match({room}, covered, {}).failure, MatchFailure::kTooManyNear);

@@ -7,6 +7,7 @@
 
 #include "omega_slam/matching/hill_climbing_matcher.h"
 #include "omega_slam/matching/particle_matcher.h"
+#include "support/match_results.h"
 #include "support/room.h"
 
 namespace omega_slam::matching {
@@ -24,14 +25,6 @@ template <typename Matcher>
 class RayMatcherHostile : public ::testing::Test {};
 TYPED_TEST_SUITE(RayMatcherHostile, RayMatchers);
 
-void expectFinite(const MatchResult& result) {
-  EXPECT_TRUE(result.T_reference_scan.isFinite());
-  EXPECT_TRUE(result.covariance.allFinite());
-  EXPECT_TRUE(std::isfinite(result.residual));
-  EXPECT_GE(result.confidence, 0.0);
-  EXPECT_LE(result.confidence, 1.0);
-}
-
 View roomSeenFrom(const Pose2& pose) {
   std::mt19937_64 random(1);
   return {test::measurePoints(test::furnishedRoom(), pose, 180, 0.01, random)};
@@ -45,7 +38,7 @@ TYPED_TEST(RayMatcherHostile, TooFewReturnsAreRefused) {
     const auto result = matcher.match({room}, few, {0.1, 0.2, 0.3});
     EXPECT_EQ(result.failure, MatchFailure::kTooFewReturns);
     EXPECT_EQ(result.T_reference_scan.x, 0.1) << "the guess stands";
-    expectFinite(result);
+    test::expectFinite(result);
     EXPECT_EQ(matcher.match({few}, room, {}).failure, MatchFailure::kTooFewReturns);
   }
   EXPECT_EQ(matcher.match({}, room, {}).failure, MatchFailure::kTooFewReturns);
@@ -66,7 +59,7 @@ TYPED_TEST(RayMatcherHostile, WhatIsNotFiniteIsRefused) {
        {matcher.match({room}, room, {NAN, 0.0, 0.0}), matcher.match({room}, odd, {}),
         matcher.match({odd}, room, {}), matcher.match({{room.points, {NAN, 0.0}}}, room, {})}) {
     EXPECT_EQ(result.failure, MatchFailure::kTooFewReturns);
-    expectFinite(result);
+    test::expectFinite(result);
   }
 }
 
@@ -75,17 +68,17 @@ TYPED_TEST(RayMatcherHostile, ScansThatDoNotOverlap) {
   const auto result = TypeParam().match({room}, room, {50.0, 0.0, 0.0});
   EXPECT_EQ(result.failure, MatchFailure::kNoOverlap);
   EXPECT_EQ(result.confidence, 0.0);
-  expectFinite(result);
+  test::expectFinite(result);
 }
 
 TYPED_TEST(RayMatcherHostile, AllPointsInOnePlaceOrAtTheOrigin) {
   const TypeParam matcher;
   for (const Eigen::Vector2d& place : {Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(0.0, 0.0)}) {
     const View heap{Points(100, place)};
-    expectFinite(matcher.match({heap}, heap, {}));
-    expectFinite(matcher.match({heap}, heap, {0.3, 0.0, 0.1}));
-    expectFinite(matcher.match({roomSeenFrom({})}, heap, {}));
-    expectFinite(matcher.match({heap}, roomSeenFrom({}), {}));
+    test::expectFinite(matcher.match({heap}, heap, {}));
+    test::expectFinite(matcher.match({heap}, heap, {0.3, 0.0, 0.1}));
+    test::expectFinite(matcher.match({roomSeenFrom({})}, heap, {}));
+    test::expectFinite(matcher.match({heap}, roomSeenFrom({}), {}));
   }
 }
 
@@ -95,9 +88,9 @@ TYPED_TEST(RayMatcherHostile, HugeCoordinates) {
   const Pose2 far{1e6, -1e6, 0.5};
   const auto result = matcher.match({transformed(far, room)}, room, far * Pose2{0.05, 0.05, 0.05});
   EXPECT_LT(distance(result.T_reference_scan, far), 0.01);
-  expectFinite(result);
-  expectFinite(matcher.match({room}, room, {1e300, -1e300, 1e300}));
-  expectFinite(matcher.match({room}, room, {1.7e308, -1.7e308, 0.0}));
+  test::expectFinite(result);
+  test::expectFinite(matcher.match({room}, room, {1e300, -1e300, 1e300}));
+  test::expectFinite(matcher.match({room}, room, {1.7e308, -1.7e308, 0.0}));
 }
 
 TYPED_TEST(RayMatcherHostile, PointsBeyondAllMeasure) {
@@ -111,9 +104,9 @@ TYPED_TEST(RayMatcherHostile, PointsBeyondAllMeasure) {
     View partly = room;
     partly.points[7] = vast.points[7];
     for (const View& odd : {vast, partly, View{room.points, {scale, -scale}}}) {
-      expectFinite(matcher.match({room}, odd, {}));
-      expectFinite(matcher.match({odd}, room, {}));
-      expectFinite(matcher.match({odd}, odd, {scale, 0.0, 0.1}));
+      test::expectFinite(matcher.match({room}, odd, {}));
+      test::expectFinite(matcher.match({odd}, room, {}));
+      test::expectFinite(matcher.match({odd}, odd, {scale, 0.0, 0.1}));
     }
   }
 }
@@ -127,7 +120,7 @@ TYPED_TEST(RayMatcherHostile, ThreePointsAreNoPlace) {
        {matcher.match({few}, few, {}), matcher.match({roomSeenFrom({})}, few, {}),
         matcher.match({few}, roomSeenFrom({}), {})}) {
     EXPECT_NE(result.failure, MatchFailure::kNone);
-    expectFinite(result);
+    test::expectFinite(result);
   }
 }
 
@@ -149,7 +142,7 @@ TYPED_TEST(RayMatcherHostile, WithoutRoundsTheGuessIsJudged) {
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.failure, MatchFailure::kNotConverged);
   EXPECT_GT(result.confidence, 0.5);
-  expectFinite(result);
+  test::expectFinite(result);
 }
 
 }  // namespace
