@@ -29,32 +29,33 @@ class Line {
        const Eigen::Vector3d& direction)
       : reference_(reference, kCap), scan_(scan), pose_(pose), direction_(direction) {}
 
+  /// A place on the line, and the rays' error there [m^2].
+  struct Place {
+    double distance;
+    double error;
+  };
+
   [[nodiscard]] Pose2 poseAt(double distance) const {
     return Pose2::fromVector(pose_.vector() + distance * direction_);
   }
 
-  [[nodiscard]] double errorAt(double distance) const {
-    return reference_.squaredError(scan_, poseAt(distance));
+  [[nodiscard]] Place at(double distance) const {
+    return {distance, reference_.squaredError(scan_, poseAt(distance))};
   }
 
   /// By how much the error rises around a place [m^2]: to the side where it rises less, and more.
-  [[nodiscard]] std::pair<double, double> risesAround(double place) const {
-    const double here = errorAt(place);
-    return std::minmax({errorAt(place - kProbe) - here, errorAt(place + kProbe) - here});
+  [[nodiscard]] std::pair<double, double> risesAround(const Place& place) const {
+    return std::minmax({at(place.distance - kProbe).error - place.error,
+                        at(place.distance + kProbe).error - place.error});
   }
 
-  /// Where the error is least, within a reach.
-  [[nodiscard]] double lowest(double reach) const {
-    double best = 0.0;
-    double least = errorAt(best);
+  /// Where the error is least, within a reach of where the search begins.
+  [[nodiscard]] Place lowest(Place best, double reach) const {
     for (double step = kFirstStep; step > kLastStep; reach = step, step *= kFiner) {
-      const double center = best;
+      const double center = best.distance;
       for (double offset = -reach; offset <= reach; offset += step) {
-        const double error = errorAt(center + offset);
-        if (error < least) {
-          least = error;
-          best = center + offset;
-        }
+        const Place place = at(center + offset);
+        best = place.error < best.error ? place : best;
       }
     }
     return best;
@@ -79,15 +80,16 @@ std::optional<Pose2> sharpenByRays(const Reference& reference, const View& scan,
   const Eigen::Vector3d direction = axes.eigenvectors().col(2);
   const Line line(reference, scan, found.T_reference_scan, direction);
   const double noise = 2.0 * config.range_noise * config.range_noise;  // of both ranges
-  if (line.risesAround(0.0).second < noise) {
+  const Line::Place start = line.at(0.0);
+  if (line.risesAround(start).second < noise) {
     return std::nullopt;  // flat
   }
-  const double place = line.lowest(std::min(kDeviations * deviation, kReach));
+  const Line::Place bottom = line.lowest(start, std::min(kDeviations * deviation, kReach));
   // What people and doors have changed raises the bottom too; there nothing is to be built on.
-  if (line.risesAround(place).first < noise + line.errorAt(place)) {
+  if (line.risesAround(bottom).first < noise + bottom.error) {
     return std::nullopt;
   }
-  return line.poseAt(place);
+  return line.poseAt(bottom.distance);
 }
 
 }  // namespace omega_slam::matching
