@@ -46,11 +46,9 @@ Eigen::Matrix3d informationOf(const ScanPair& pair, const RangeDeviation& deviat
     const double range = beam.norm();
     const double incidence = std::max(std::abs(normal.dot(beam)) / range, kLeastIncidence);
     const double sigma = deviation(range) * incidence;
-    Eigen::Matrix<double, 2, 3> jacobian;  // of the point with respect to the pose
-    jacobian << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
     const Eigen::Matrix2d told = normal * normal.transpose() -
                                  partner->surface.slope_variance * tangent * tangent.transpose();
-    information += jacobian.transpose() * told * jacobian / (2.0 * sigma * sigma);
+    information += matching::poseInformation(told, arm) / (2.0 * sigma * sigma);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(information);
   return axes.eigenvectors() * axes.eigenvalues().cwiseMax(kLeastInformation).asDiagonal() *
