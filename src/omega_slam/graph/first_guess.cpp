@@ -46,13 +46,17 @@ FirstGuess applyBest(PoseGraph& graph) {
   if (agreesInTurns(graph)) {
     return FirstGuess::kTree;
   }
-  graph.poses = given;
+  const std::vector<Pose2> by_tree = std::exchange(graph.poses, given);
   FirstGuess best = FirstGuess::kGiven;
   double least = chiSquare(graph);
   std::vector<Pose2> poses = given;
   for (const FirstGuess guess : {FirstGuess::kOdometry, FirstGuess::kTree, FirstGuess::kChordal}) {
-    graph.poses = given;
-    applyGuess(graph, guess);
+    if (guess == FirstGuess::kTree) {
+      graph.poses = by_tree;
+    } else {
+      graph.poses = given;
+      applyGuess(graph, guess);
+    }
     const double chi_square = chiSquare(graph);
     if (chi_square < least || !std::isfinite(least)) {
       least = chi_square;
