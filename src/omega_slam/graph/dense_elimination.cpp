@@ -46,19 +46,27 @@ class Tile {
   Column third_ = Column::Zero();
 };
 
+/// Calls `use(tile, row)` for the tiles from three rows on downwards, times these three.
+/// @param rows where the first row begins in the first column of `columns`
+/// @param height of rows that there are
+template <class Use>
+void visitTiles(const double* rows, Index three, Index height, const ConstPanelMap& columns,
+                const Use& use) {
+  Index row = three;
+  for (; row + 6 <= height; row += 6) {
+    use(Tile<6>(rows + row, rows + three, columns), row);
+  }
+  if (row < height) {
+    use(Tile<3>(rows + row, rows + three, columns), row);
+  }
+}
+
 /// Takes from three columns what those before them say.
 void subtractEarlier(PanelMap& panel, Index first) {
   const Index height = panel.rows();
-  const ConstPanelMap earlier(panel.data(), height, first);
-  const double* const rows = panel.data();
   double* const target = panel.data() + first * height;
-  Index row = first;
-  for (; row + 6 <= height; row += 6) {
-    Tile<6>(rows + row, rows + first, earlier).subtractFrom(target + row, height);
-  }
-  if (row < height) {
-    Tile<3>(rows + row, rows + first, earlier).subtractFrom(target + row, height);
-  }
+  visitTiles(panel.data(), first, height, {panel.data(), height, first},
+             [&](const auto& tile, Index row) { tile.subtractFrom(target + row, height); });
 }
 
 /// L of a block on the diagonal. Divisions are slow, so the panel has the reciprocals of L's own
@@ -142,13 +150,8 @@ Eigen::MatrixXd leftBy(ConstPanelMap panel) {
   Eigen::MatrixXd update(height, height);
   for (Index column = 0; column < height; column += 3) {
     double* const target = update.data() + column * height;
-    Index row = column;
-    for (; row + 6 <= height; row += 6) {
-      Tile<6>(below + row, below + column, panel).negateInto(target + row, height);
-    }
-    if (row < height) {
-      Tile<3>(below + row, below + column, panel).negateInto(target + row, height);
-    }
+    visitTiles(below, column, height, panel,
+               [&](const auto& tile, Index row) { tile.negateInto(target + row, height); });
   }
   return update;
 }
