@@ -25,6 +25,14 @@ std::vector<std::string> OdometryConfig::validate() const {
   return violations.sentences();
 }
 
+OdometryConfig withNoise(OdometryConfig config, double factor) {
+  config.noise.rotation_per_rotation *= factor;
+  config.noise.rotation_per_translation *= factor;
+  config.noise.translation_per_translation *= factor;
+  config.noise.translation_per_rotation *= factor;
+  return config;
+}
+
 Odometry::Odometry(const OdometryConfig& config, std::uint64_t seed)
     : config_(config), random_(seed) {
   geometry::throwIfAny(config_.validate());

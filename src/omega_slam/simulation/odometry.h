@@ -20,6 +20,9 @@ struct OdometryConfig {
   [[nodiscard]] std::vector<std::string> validate() const;  ///< all violations, a sentence each
 };
 
+/// The same with all deviations multiplied by a factor >= 0.
+[[nodiscard]] OdometryConfig withNoise(OdometryConfig config, double factor);
+
 /// What the base believes of its own motion.
 ///
 /// The odometry motion model states the error of a whole step of the robot. Drawn anew for each of

@@ -1,13 +1,13 @@
 // SLAM of a simulated drive, without ROS: simulator, pipeline and evaluation in one process.
 
-#include "support/simulated_run.h"
-
 #include <gtest/gtest.h>
 
 #include "omega_slam/evaluation/resemblance.h"
 #include "omega_slam/evaluation/trajectory_error.h"
 #include "omega_slam/grid/map_file.h"
+#include "omega_slam/simulation/route_drive.h"
 #include "omega_slam/slam/pipeline.h"
+#include "support/paths.h"
 #include "support/seeds.h"
 
 namespace omega_slam {
@@ -18,17 +18,30 @@ struct Outcome {
   evaluation::Resemblance resemblance;
 };
 
-Outcome mapRun(const test::SimulatedRun& run) {
+simulation::LoadedWorld lab() {
+  return simulation::loadWorld(test::sourceFolder() / "maps/lab.world.yaml");
+}
+
+simulation::RouteDrive drive(std::uint64_t seed, double noise = 1.0, double seconds = 900.0) {
+  simulation::TurtleBotConfig robot;
+  robot.seed = seed;
+  robot.odometry = simulation::withNoise(robot.odometry, noise);
+  return simulation::driveRoute(lab(), robot, seconds);
+}
+
+Outcome mapRun(const simulation::RouteDrive& run) {
   slam::Pipeline pipeline;
-  for (const io::ScanRecord& record : run.records) {
-    pipeline.process(record.scan, record.mount, record.T_odom_base, record.motion_during_sweep);
+  const sensing::LaserMount mount{simulation::TurtleBotConfig{}.T_base_laser, false};
+  for (const auto& taken : run.scans) {
+    pipeline.process(taken.scan, mount, taken.T_odom_base, taken.motion_during_sweep);
   }
   pipeline.finish();
+  const simulation::WorldFile world = lab().file;
   Outcome outcome;
   outcome.error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
   outcome.resemblance = evaluation::compareMaps(
-      pipeline.map({}), grid::toOccupancyGrid(grid::loadMapImage(run.world.file.map)),
-      {outcome.error.T_truth_map, run.world.file.start.translation()});
+      pipeline.map({}), grid::toOccupancyGrid(grid::loadMapImage(world.map)),
+      {outcome.error.T_truth_map, world.start.translation()});
   return outcome;
 }
 
@@ -37,12 +50,12 @@ Outcome mapRun(const test::SimulatedRun& run) {
 TEST(SimulatedRun, LabIsMapped) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
-    const test::SimulatedRun run = test::driveRoute("lab", seed);
+    const simulation::RouteDrive run = drive(seed);
     ASSERT_TRUE(run.arrived);
     ASSERT_EQ(run.collisions, 0);
     const Outcome outcome = mapRun(run);
     RecordProperty("ate_mm", static_cast<int>(1e3 * outcome.error.translation.mean));
-    EXPECT_EQ(outcome.error.matched, run.records.size());
+    EXPECT_EQ(outcome.error.matched, run.scans.size());
     EXPECT_LT(outcome.error.translation.mean, 0.14);
     EXPECT_GT(outcome.resemblance.score(), 0.92);
     EXPECT_GT(outcome.resemblance.coverage(), 0.95);
@@ -51,10 +64,10 @@ TEST(SimulatedRun, LabIsMapped) {
 
 /// Two minutes of the lab with odometry twice as bad as a Kobuki's.
 TEST(SimulatedRun, BadOdometryIsMended) {
-  const test::SimulatedRun run = test::driveRoute("lab", 1, 2.0, 120.0);
+  const simulation::RouteDrive run = drive(1, 2.0, 120.0);
   geometry::Trajectory odometry;
-  for (const io::ScanRecord& record : run.records) {
-    odometry.push_back({record.scan.stamp, record.T_odom_base});
+  for (const simulation::DriveScan& taken : run.scans) {
+    odometry.push_back({taken.scan.stamp, taken.T_odom_base});
   }
   const double by_wheels =
       evaluation::absoluteTrajectoryError(odometry, run.truth).translation.mean;
