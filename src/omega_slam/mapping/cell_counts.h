@@ -9,20 +9,10 @@ namespace omega_slam::mapping {
 struct CellCounts {
   std::uint32_t hits{0};
   std::uint32_t misses{0};
-  std::uint32_t last_sweep{0};  ///< number of the sweep that counted here last; 0: none yet
 
   void hit() { count(hits); }
   void miss() { count(misses); }
   [[nodiscard]] std::uint64_t observations() const { return std::uint64_t{hits} + misses; }
-
-  /// Whether sweep `number` (from 1) may still count here; if so it now has.
-  bool claim(std::uint32_t number) {
-    if (last_sweep == number) {
-      return false;
-    }
-    last_sweep = number;
-    return true;
-  }
 
  private:
   static void count(std::uint32_t& value) {

@@ -4,20 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
-
-#include "omega_slam/grid/ray_traversal.h"
 
 namespace omega_slam::mapping {
 namespace {
 
 using grid::Cell;
-
-/// Cell numbers beyond this are refused: sums and differences of them must fit into an int.
-constexpr double kFarthestCell = 1 << 29;
-
-Cell cellOf(const Eigen::Vector2d& point) { return point.array().floor().cast<int>(); }
 
 using Box = Eigen::AlignedBox<int, 2>;
 
@@ -55,6 +47,8 @@ std::vector<std::string> OccupancyMapperConfig::validate() const {
           fmt::format("min_observations must be 1 or more, but it is {}.", min_observations));
   require(isPositive(max_extent),
           fmt::format("max_extent must be above 0 m, but it is {}.", max_extent));
+  const std::vector<std::string> more = renderer.validate();
+  faults.insert(faults.end(), more.begin(), more.end());
   return faults;
 }
 
@@ -63,59 +57,38 @@ OccupancyMapper::OccupancyMapper(const OccupancyMapperConfig& config) : config_(
   if (!faults.empty()) {
     throw std::invalid_argument(fmt::format("{}", fmt::join(faults, " ")));
   }
+  renderer_ = makeRenderer(config.renderer);
 }
 
 std::string OccupancyMapper::add(const sensing::Sweep& sweep, const geometry::Pose2& T_map_base) {
-  if (const std::string reason = prepare(sweep, T_map_base); !reason.empty()) {
+  if (std::string reason =
+          placeRays(sweep, T_map_base, config_.resolution, config_.max_range, rays_);
+      !reason.empty()) {
     return reason;
   }
-  if (rays_.empty()) {
+  if (rays_.rays.empty()) {
     return {};
   }
-  Box box(cellOf(start_));
-  for (const Ray& ray : rays_) {
-    box.extend(cellOf(ray.end));
-  }
-  box.extend(touched_);
-  if (const std::string reason = whyTooLarge(box); !reason.empty()) {
+  const Box expected = rays_.box.merged(touched_);
+  if (std::string reason = whyTooLarge(expected); !reason.empty()) {
     return reason;
+  }
+  renderer_->render(rays_, cells_);
+  Box box = expected;
+  for (const SweepTile& tile : cells_.tiles()) {
+    for (int y = 0; y < kTileSide; ++y) {
+      const std::uint64_t row =
+          tile.free[static_cast<std::size_t>(y)] | tile.occupied[static_cast<std::size_t>(y)];
+      for (int x = 0; x < kTileSide; ++x) {
+        if ((row >> static_cast<unsigned>(x) & 1U) != 0) {
+          box.extend(Cell(cornerOf(tile.index) + Cell(x, y)));
+        }
+      }
+    }
   }
   growTo(box);
   touched_ = box;
-  draw();
-  return {};
-}
-
-/// Turns the beams into rays in cells of the map, no longer than they are to be drawn.
-std::string OccupancyMapper::prepare(const sensing::Sweep& sweep,
-                                     const geometry::Pose2& T_map_base) {
-  rays_.clear();
-  const geometry::Pose2 T_map_laser = T_map_base * sweep.T_base_laser;
-  if (!T_map_laser.isFinite()) {
-    return "the pose of the laser in the map is not finite";
-  }
-  start_ = T_map_laser.translation() / config_.resolution;
-  double farthest = start_.cwiseAbs().maxCoeff();
-  const double max_length = config_.max_range > 0.0 ? config_.max_range / config_.resolution
-                                                    : std::numeric_limits<double>::infinity();
-  for (const sensing::Beam& beam : sweep.beams) {
-    if (beam.kind == sensing::BeamKind::kUnknown) {
-      continue;
-    }
-    const Eigen::Vector2d full = (T_map_base * beam.end) / config_.resolution - start_;
-    const double length = full.norm();
-    if (!std::isfinite(length)) {
-      return "the end of a beam is not finite";
-    }
-    const bool whole = length <= max_length;
-    const Eigen::Vector2d end = start_ + (whole ? full : full * (max_length / length));
-    farthest = std::max(farthest, end.cwiseAbs().maxCoeff());
-    rays_.push_back({end, whole && beam.kind == sensing::BeamKind::kReturn});
-  }
-  if (farthest > kFarthestCell) {
-    return fmt::format("it reaches {:.6g} m away from the origin of the map",
-                       farthest * config_.resolution);
-  }
+  count();
   return {};
 }
 
@@ -156,37 +129,23 @@ void OccupancyMapper::growTo(const Box& needed) {
   stored_ = grown;
 }
 
-void OccupancyMapper::beginSweep() {
-  if (++sweep_number_ == 0) {  // after 2^32 sweeps the numbers start again
-    std::for_each(counts_.begin(), counts_.end(), [](CellCounts& c) { c.last_sweep = 0; });
-    sweep_number_ = 1;
-  }
-}
-
-void OccupancyMapper::draw() {
-  beginSweep();
-  const std::size_t stride = columns(stored_);
-  const Cell corner = stored_.min();
-  const auto at = [this, stride, corner](const Cell& cell) -> CellCounts& {
-    return counts_[static_cast<std::size_t>(cell.y() - corner.y()) * stride +
-                   static_cast<std::size_t>(cell.x() - corner.x())];
-  };
-  // Hits first: what a beam ends in, no other beam of this sweep may clear.
-  for (const Ray& ray : rays_) {
-    if (ray.hit) {
-      CellCounts& end = at(cellOf(ray.end));
-      if (end.claim(sweep_number_)) {
-        end.hit();
+void OccupancyMapper::count() {
+  for (const SweepTile& tile : cells_.tiles()) {
+    for (int y = 0; y < kTileSide; ++y) {
+      const std::uint64_t hits = tile.occupied[static_cast<std::size_t>(y)];
+      const std::uint64_t seen = tile.free[static_cast<std::size_t>(y)] | hits;
+      for (int x = 0; x < kTileSide; ++x) {
+        if ((seen >> static_cast<unsigned>(x) & 1U) == 0) {
+          continue;
+        }
+        CellCounts& counts = counts_[indexIn(stored_, cornerOf(tile.index) + Cell(x, y))];
+        if ((hits >> static_cast<unsigned>(x) & 1U) != 0) {
+          counts.hit();
+        } else {
+          counts.miss();
+        }
       }
     }
-  }
-  for (const Ray& ray : rays_) {
-    grid::traverseCells(start_, ray.end, [this, &at](const Cell& cell) {
-      CellCounts& passed = at(cell);
-      if (passed.claim(sweep_number_)) {
-        passed.miss();
-      }
-    });
   }
 }
 
@@ -223,7 +182,6 @@ void OccupancyMapper::clear() {
   stored_.setEmpty();
   counts_.clear();
   counts_.shrink_to_fit();
-  sweep_number_ = 0;
 }
 
 }  // namespace omega_slam::mapping

@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/grid/occupancy_grid.h"
 #include "omega_slam/mapping/cell_counts.h"
+#include "omega_slam/mapping/sweep_renderer.h"
 #include "omega_slam/sensing/sweep.h"
 
 namespace omega_slam::mapping {
@@ -19,6 +21,7 @@ struct OccupancyMapperConfig {
       0.5};                 ///< share of hits among hits and misses from which on a cell is a wall
   int min_observations{1};  ///< cells that fewer sweeps have touched stay unknown
   double max_extent{2000.0};  ///< [m] a map wider or higher than this is refused
+  RendererConfig renderer;    ///< how beams become cells
 
   [[nodiscard]] std::vector<std::string> validate() const;  ///< all violations, a sentence each
 };
@@ -57,25 +60,18 @@ class OccupancyMapper {
  private:
   /// Cells by their number counted from the origin of the map, both corners inclusive.
   using Box = Eigen::AlignedBox<int, 2>;
-  struct Ray {
-    Eigen::Vector2d end;  ///< [cells] from the origin of the map
-    bool hit{false};
-  };
-
-  [[nodiscard]] std::string prepare(const sensing::Sweep& sweep, const geometry::Pose2& T_map_base);
   [[nodiscard]] std::string whyTooLarge(const Box& box) const;
   void growTo(const Box& needed);
   [[nodiscard]] std::int8_t verdict(const CellCounts& counts) const;
-  void draw();
-  void beginSweep();
+  void count();
 
   OccupancyMapperConfig config_;
   Box touched_;  ///< what sweeps have drawn on
   Box stored_;   ///< what there is memory for: touched_ and a margin
   std::vector<CellCounts> counts_;
-  std::uint32_t sweep_number_{0};
-  Eigen::Vector2d start_{0.0, 0.0};  ///< [cells] of the sweep being drawn
-  std::vector<Ray> rays_;            ///< likewise; kept to spare allocations
+  std::unique_ptr<const SweepRenderer> renderer_;
+  SweepRays rays_;    ///< of the sweep being drawn; kept to spare allocations
+  SweepCells cells_;  ///< likewise
 };
 
 }  // namespace omega_slam::mapping
