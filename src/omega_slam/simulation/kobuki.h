@@ -4,16 +4,14 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
-#include "omega_slam/simulation/arc.h"
+#include "omega_slam/motion/arc.h"
+#include "omega_slam/motion/twist2.h"
 #include "omega_slam/simulation/world.h"
 
 namespace omega_slam::simulation {
 
-/// Velocity of the base in its own frame.
-struct Twist2 {
-  double linear{0.0};   ///< [m/s] forward
-  double angular{0.0};  ///< [rad/s] counter-clockwise
-};
+using motion::Arc;
+using motion::Twist2;
 
 /// Which of the three bumper switches at the front are pressed.
 struct Bumper {

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/motion/arc.h"
 #include "omega_slam/motion/odometry_motion_model.h"
-#include "omega_slam/simulation/arc.h"
 
 namespace omega_slam::simulation {
+
+using motion::Arc;
 
 struct OdometryConfig {
   motion::OdometryMotionModelConfig noise;

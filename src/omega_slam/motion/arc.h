@@ -2,7 +2,7 @@
 
 #include "omega_slam/geometry/pose2.h"
 
-namespace omega_slam::simulation {
+namespace omega_slam::motion {
 
 /// Motion of a differential drive while both wheels turn steadily.
 struct Arc {
@@ -12,4 +12,4 @@ struct Arc {
   [[nodiscard]] geometry::Pose2 toMotion() const;  ///< `T_start_end`
 };
 
-}  // namespace omega_slam::simulation
+}  // namespace omega_slam::motion

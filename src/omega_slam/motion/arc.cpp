@@ -1,10 +1,10 @@
-#include "omega_slam/simulation/arc.h"
+#include "omega_slam/motion/arc.h"
 
 #include <cmath>
 
 #include "omega_slam/geometry/angle.h"
 
-namespace omega_slam::simulation {
+namespace omega_slam::motion {
 
 geometry::Pose2 Arc::toMotion() const {
   // A chord of the circle: it points half the turn to the side and is shorter than the arc by
@@ -15,4 +15,4 @@ geometry::Pose2 Arc::toMotion() const {
   return {chord * std::cos(half), chord * std::sin(half), geometry::normalizeAngle(turn)};
 }
 
-}  // namespace omega_slam::simulation
+}  // namespace omega_slam::motion
