@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "omega_slam/grid/distance_field.h"
+#include "omega_slam/grid/occupancy_grid.h"
+#include "omega_slam/navigation/live_obstacles.h"
+
+namespace omega_slam::navigation {
+
+struct CostmapConfig {
+  int occupied_threshold{50};   ///< [%] cells of the map from this value on are obstacles
+  bool unknown_is_free{false};  ///< whether plans may lead through what the map does not know
+  double reach{4.0};            ///< [m] around the robot in which live obstacles are remembered
+  double memory{8.0};           ///< [s] an obstacle lasts that is no longer looked at
+  double contact_memory{30.0};  ///< [s] a place lasts where the robot has bumped into something
+
+  [[nodiscard]] std::vector<std::string> validate() const;  ///< all violations, a sentence each
+};
+
+/// Where a round robot can be: the map, and what its sensors see now. All points [m] in the map's
+/// frame. Two questions are asked of it, and unknown cells make the difference:
+///   planning asks whether a place is *free*: known, and without an obstacle;
+///   driving asks for the way to the next *solid* obstacle, since a robot may well stand where its
+///   map is not drawn yet, and its laser looks ahead.
+/// What lies beyond the map's edge is unknown. Not thread-safe; without changes, any number of
+/// threads may ask.
+class Costmap {
+ public:
+  /// @throws std::invalid_argument if the configuration is not valid
+  explicit Costmap(const CostmapConfig& config);
+
+  /// Replaces the map, in time linear in its cells. Live obstacles stay.
+  void setMap(const grid::OccupancyGrid& map);
+  [[nodiscard]] bool hasMap() const { return blocked_ && blocked_->geometry().size() > 0; }
+  [[nodiscard]] const grid::GridGeometry& geometry() const { return blocked_->geometry(); }
+
+  /// @param sighting in the map's frame; @param robot [m] about which to remember
+  void see(const Sighting& sighting, const Eigen::Vector2d& robot);
+  /// @param points [m] where the robot touches something, at time `now` [s]
+  void touch(const std::vector<Eigen::Vector2d>& points, double now);
+  void expire(double now) { live_.expire(now); }
+  void forgetLive() { live_.forget(); }
+
+  /// What the map says of a cell. Outside of the map all is unknown; where plans may lead through
+  /// unknown cells, none inside of it is.
+  [[nodiscard]] bool isOccupied(const grid::Cell& cell) const;
+  [[nodiscard]] bool isUnknown(const grid::Cell& cell) const;
+
+  /// Whether a disc touches neither an obstacle nor, unless that is allowed, an unknown cell.
+  /// Exact.
+  [[nodiscard]] bool isFree(const Eigen::Vector2d& point, double radius) const;
+  /// As above for the disc on all of its way from one point to the other, up to a few 0.1 mm.
+  [[nodiscard]] bool isFree(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                            double radius) const;
+  /// As isFree() for the centre of a cell of the map, by the map alone.
+  [[nodiscard]] bool isFreeInMap(const grid::Cell& cell, double radius) const {
+    return static_cast<double>(blocked_->atCell(cell)) >= radius;
+  }
+
+  /// At least so far [m] is it to what isFree() minds, and at most a cell's diagonal farther.
+  [[nodiscard]] double clearance(const Eigen::Vector2d& point) const;
+  /// So far [m], to a few millimetres, is it to the next obstacle, unknown cells aside.
+  [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const;
+
+  [[nodiscard]] const LiveObstacles& live() const { return live_; }
+
+ private:
+  CostmapConfig config_;
+  // Shared by copies, since they never change.
+  std::shared_ptr<const grid::DistanceField> solid_;    ///< to occupied cells
+  std::shared_ptr<const grid::DistanceField> blocked_;  ///< to occupied and unknown cells
+  std::shared_ptr<const grid::OccupancyGrid> map_;
+  LiveObstacles live_;
+};
+
+}  // namespace omega_slam::navigation

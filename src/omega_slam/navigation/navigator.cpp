@@ -1,0 +1,359 @@
+#include "omega_slam/navigation/navigator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "omega_slam/geometry/angle.h"
+#include "omega_slam/geometry/validation.h"
+
+namespace omega_slam::navigation {
+namespace {
+
+constexpr double kLeastStep = 0.02;    // [s] shorter and longer steps are taken as this long
+constexpr double kLongestStep = 0.25;  // [s]
+constexpr double kMotion = 0.05;       // [m] and [rad/4], from which the robot has moved
+constexpr double kNearer = 0.3;        // [m] from which it has come nearer to the goal
+constexpr double kOffPath = 0.35;      // [m] beside its path it needs a new one
+constexpr double kBetter = 0.9;        // share of the old way's cost that a new one must stay below
+constexpr double kJump = 0.15;         // [m] that a pose leaps when the map is corrected
+constexpr double kWaitCheck = 0.5;     // [s] between looks whether the way is free again
+constexpr double kContactSlack = 0.03;  // [m] beyond the footprint, where contacts are marked
+constexpr double kSelf = 0.9;  // share of the inscribed radius: what is seen in there is the robot
+
+Sighting inMap(const Sighting& sighting, const geometry::Pose2& T_map_base, double self) {
+  Sighting result;
+  result.stamp = sighting.stamp;
+  result.origin = T_map_base * sighting.origin;
+  for (const Eigen::Vector2d& p_base : sighting.returns) {
+    if (p_base.norm() >= self) {
+      result.returns.push_back(T_map_base * p_base);
+    }
+  }
+  for (const Eigen::Vector2d& p_base : sighting.clear) {
+    result.clear.push_back(T_map_base * p_base);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> NavigatorConfig::validate() const {
+  geometry::Violations violations;
+  violations.include("costmap", costmap.validate());
+  violations.include("planner", planner.validate());
+  violations.include("follower", follower.validate());
+  violations.include("recovery", recovery.validate());
+  violations.requireWithin("margin", margin, 0.0, 1.0);
+  violations.requireAtLeast("replan_interval", replan_interval, 0.0);
+  violations.requireAbove("max_input_age", max_input_age, 0.0);
+  violations.requireAtLeast("input_patience", input_patience, 0.0);
+  violations.requireAbove("stall_time", stall_time, 0.0);
+  violations.requireAbove("progress_time", progress_time, 0.0);
+  violations.requireAtLeast("blocked_time", blocked_time, 0.0);
+  return violations.sentences();
+}
+
+Navigator::Navigator(const NavigatorConfig& config, const Footprint& footprint)
+    : config_(config),
+      radius_(footprint.circumscribed_radius),
+      costmap_(config.costmap),
+      planner_(config.planner, footprint.circumscribed_radius + config.margin),
+      follower_(config.follower, footprint.circumscribed_radius),
+      recovery_(config.recovery),
+      self_radius_(kSelf * footprint.inscribed_radius) {
+  geometry::throwIfAny(config_.validate());
+}
+
+void Navigator::setMap(const grid::OccupancyGrid& map) {
+  costmap_.setMap(map);
+  map_changed_ = true;
+}
+
+void Navigator::see(const Sighting& sighting, const geometry::Pose2& T_map_base) {
+  if (!T_map_base.isFinite() || !std::isfinite(sighting.stamp)) {
+    return;
+  }
+  costmap_.see(inMap(sighting, T_map_base, self_radius_), T_map_base.translation());
+  seen_ = sighting.stamp;
+  has_seen_ = true;
+}
+
+void Navigator::touch(const std::vector<Eigen::Vector2d>& points, double now) {
+  if (!last_pose_ || points.empty()) {
+    return;
+  }
+  std::vector<Eigen::Vector2d> marks;
+  for (const Eigen::Vector2d& p_base : points) {
+    if (p_base.allFinite() && p_base.norm() > 0.0) {
+      const double distance = std::max(p_base.norm(), radius_ + kContactSlack);
+      marks.emplace_back(*last_pose_ * Eigen::Vector2d(p_base.normalized() * distance));
+    }
+  }
+  costmap_.touch(marks, now);
+  in_contact_ = in_contact_ || !marks.empty();
+}
+
+void Navigator::setGoal(const NavigationGoal& goal, double now) {
+  cancel();
+  goal_ = goal;
+  complete_since_ = moved_at_ = nearer_at_ = now;
+  least_left_ = std::numeric_limits<double>::infinity();
+}
+
+void Navigator::cancel() {
+  goal_.reset();
+  outcome_ = NavigationState::kIdle;
+  reason_.clear();
+  follower_.stop();
+  recovery_.reset();
+  recovering_ = blocked_ = in_contact_ = false;
+}
+
+NavigatorStep Navigator::finish(NavigationState state, const std::string& reason) {
+  cancel();
+  outcome_ = state;
+  reason_ = reason;
+  NavigatorStep result;
+  result.state = state;
+  result.reason = reason;
+  return result;
+}
+
+NavigatorStep Navigator::step(double now, const std::optional<geometry::StampedPose2>& T_map_base,
+                              const motion::Twist2& velocity) {
+  if (stepped_ && now < now_) {
+    costmap_.forgetLive();
+    has_seen_ = false;
+    complete_since_ = moved_at_ = nearer_at_ = planned_at_ = now;
+  }
+  const double dt = stepped_ ? std::clamp(now - now_, kLeastStep, kLongestStep) : kLeastStep;
+  stepped_ = true;
+  now_ = now;
+  costmap_.expire(now);
+  velocity_ = presentVelocity(velocity, dt);
+  NavigatorStep result;
+  const std::string missing = missingInput(now, T_map_base);
+  if (T_map_base && missing.empty()) {
+    noteJump(T_map_base->pose, dt);
+    complete_since_ = now;
+  }
+  if (!goal_) {
+    result.state = outcome_;
+    result.reason = reason_;
+    result.velocity = follower_.brake(velocity_, dt);
+  } else if (!missing.empty()) {
+    result = wait(now, missing);
+  } else if (in_contact_) {
+    in_contact_ = false;
+    recovery_.backOff(now, T_map_base->pose);
+    recovering_ = true;
+    turned_ = 0.0;
+    reason_ = "The robot has bumped into something.";
+    result = recover(T_map_base->pose, dt);
+  } else {
+    result = recovering_ ? recover(T_map_base->pose, dt) : drive(T_map_base->pose, dt);
+  }
+  command_ = result.velocity;
+  return result;
+}
+
+motion::Twist2 Navigator::presentVelocity(const motion::Twist2& measured, double dt) const {
+  if (!std::isfinite(measured.linear) || !std::isfinite(measured.angular)) {
+    return command_;
+  }
+  // What was commanded last is where the base will be soon, unless it does something else.
+  const FollowerConfig& limits = config_.follower;
+  const bool obeys =
+      std::abs(measured.linear - command_.linear) <= 2.5 * limits.max_linear_acceleration * dt &&
+      std::abs(measured.angular - command_.angular) <= 2.5 * limits.max_angular_acceleration * dt;
+  return obeys ? command_ : measured;
+}
+
+std::string Navigator::missingInput(double now,
+                                    const std::optional<geometry::StampedPose2>& T_map_base) const {
+  if (!costmap_.hasMap()) {
+    return "There is no map.";
+  }
+  if (!T_map_base || !T_map_base->pose.isFinite()) {
+    return "The robot's pose in the map is not known.";
+  }
+  if (now - T_map_base->stamp > config_.max_input_age) {
+    return "The robot's pose in the map is too old.";
+  }
+  if (!has_seen_) {
+    return "There is no scan.";
+  }
+  return now - seen_ > config_.max_input_age ? "The scan is too old." : "";
+}
+
+NavigatorStep Navigator::wait(double now, const std::string& what) {
+  if (now - complete_since_ > config_.input_patience) {
+    return finish(NavigationState::kFailed, what);
+  }
+  moved_at_ = nearer_at_ = now;  // it could not have moved
+  NavigatorStep result;
+  result.state = NavigationState::kWaiting;
+  result.reason = what;
+  return result;
+}
+
+void Navigator::noteJump(const geometry::Pose2& T_map_base, double dt) {
+  if (last_pose_) {
+    const double possible = config_.follower.max_linear_speed * dt + kJump;
+    if (geometry::distance(*last_pose_, T_map_base) > possible) {
+      costmap_.forgetLive();  // it was seen from where the robot was believed to be
+      map_changed_ = true;
+    }
+  }
+  last_pose_ = T_map_base;
+}
+
+bool Navigator::restIsFree() const {
+  const Path& path = follower_.path().path();
+  double along = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const double length = (path[i + 1] - path[i]).norm();
+    // What lies behind, and the way out of where it does not fit, is not looked at.
+    const double skip = std::max(follower_.along(), refusal_.leave) - along;
+    along += length;
+    if (skip >= length) {
+      continue;
+    }
+    const Eigen::Vector2d from =
+        skip > 0.0 ? Eigen::Vector2d(path[i] + (path[i + 1] - path[i]) * (skip / length)) : path[i];
+    if (!costmap_.isFree(from, path[i + 1], radius_)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Navigator::needsPlan() const {
+  return follower_.path().empty() || follower_.offPath() > kOffPath || map_changed_ ||
+         now_ - planned_at_ >= config_.replan_interval;
+}
+
+bool Navigator::replan(const geometry::Pose2& T_map_base) {
+  planned_at_ = now_;
+  map_changed_ = false;
+  const bool keeps = !follower_.path().empty() && follower_.offPath() <= kOffPath && restIsFree();
+  Plan plan = planner_.plan(costmap_, T_map_base.translation(), goal_->position);
+  if (!plan.found()) {
+    refusal_ = plan;
+    return keeps;
+  }
+  if (keeps) {
+    const PathMeasure& old = follower_.path();
+    Path rest{old.at(follower_.along())};
+    for (double along = follower_.along() + 0.25; along < old.length(); along += 0.25) {
+      rest.push_back(old.at(along));
+    }
+    rest.push_back(old.path().back());
+    const ClearanceCost cost = planner_.cost();
+    if (cost.ofPath(costmap_, plan.path) > kBetter * cost.ofPath(costmap_, rest)) {
+      return true;
+    }
+  }
+  refusal_ = {};
+  refusal_.leave = plan.leave;
+  follower_.follow(plan.path, goal_->heading);
+  return true;
+}
+
+NavigatorStep Navigator::drive(const geometry::Pose2& T_map_base, double dt) {
+  if (needsPlan() && !replan(T_map_base)) {
+    if (!refusal_.passing && refusal_.status != PlanStatus::kStartBlocked) {
+      return finish(NavigationState::kFailed, refusal_.reason);
+    }
+    return trouble(refusal_.reason, T_map_base);
+  }
+  const FollowerStep follow = follower_.step(costmap_, T_map_base, velocity_, dt);
+  if (follow.state == FollowState::kArrived) {
+    return finish(NavigationState::kReached, "");
+  }
+  const bool was_blocked = blocked_;
+  blocked_ = follow.state == FollowState::kBlocked;
+  blocked_since_ = was_blocked ? blocked_since_ : now_;
+  noteProgress(T_map_base, follow.left);
+  if (blocked_ && now_ - blocked_since_ >= config_.blocked_time) {
+    return trouble("Something stands in the way.", T_map_base);
+  }
+  if (now_ - moved_at_ >= config_.stall_time) {
+    return trouble("The robot does not move.", T_map_base);
+  }
+  if (now_ - nearer_at_ >= config_.progress_time) {
+    return trouble("The robot comes no nearer to the goal.", T_map_base);
+  }
+  NavigatorStep result;
+  result.state = NavigationState::kDriving;
+  result.velocity = follow.velocity;
+  result.rollout = follow.rollout;
+  result.left = follow.left;
+  return result;
+}
+
+void Navigator::noteProgress(const geometry::Pose2& T_map_base, double left) {
+  const double turn = std::abs(geometry::angleDifference(T_map_base.theta, moved_from_.theta));
+  if (geometry::distance(T_map_base, moved_from_) > kMotion || turn > 4.0 * kMotion) {
+    moved_from_ = T_map_base;
+    moved_at_ = now_;
+  }
+  if (left < least_left_ - kNearer) {
+    if (least_left_ < std::numeric_limits<double>::infinity()) {
+      recovery_.reset();
+    }
+    least_left_ = left;
+    nearer_at_ = now_;
+  }
+}
+
+NavigatorStep Navigator::trouble(const std::string& reason, const geometry::Pose2& T_map_base) {
+  reason_ = reason;
+  recovery_.next(now_, T_map_base);
+  recovering_ = true;
+  turned_ = 0.0;
+  blocked_ = false;
+  return recover(T_map_base, kLeastStep);
+}
+
+NavigatorStep Navigator::recover(const geometry::Pose2& T_map_base, double dt) {
+  NavigatorStep result;
+  result.state = NavigationState::kRecovering;
+  result.reason = reason_;
+  result.recovery = recovery_.stage();
+  turned_ += std::abs(velocity_.angular) * dt;
+  bool over = recovery_.isOver(now_, T_map_base, turned_);
+  switch (recovery_.stage()) {
+    case RecoveryStage::kGiveUp:
+      return finish(NavigationState::kFailed, reason_);
+    case RecoveryStage::kClear:
+      costmap_.forgetLive();
+      break;
+    case RecoveryStage::kBackOff:
+      over = over || !follower_.isClearStraight(costmap_, T_map_base, -0.1);
+      result.velocity.linear = over ? 0.0 : -config_.recovery.back_off_speed;
+      break;
+    case RecoveryStage::kTurn:
+      result.velocity = {0.0, over ? 0.0 : config_.recovery.turn_speed};
+      break;
+    case RecoveryStage::kWait:
+      // People pass, and then there is no need to wait any longer.
+      if (now_ - planned_at_ >= kWaitCheck) {
+        over = replan(T_map_base) || over;
+      }
+      break;
+    case RecoveryStage::kNone:
+      break;
+  }
+  if (over) {
+    recovering_ = false;
+    moved_at_ = nearer_at_ = now_;
+    follower_.stop();  // from here on it needs a new plan
+  }
+  return result;
+}
+
+}  // namespace omega_slam::navigation

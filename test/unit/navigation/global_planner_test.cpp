@@ -1,0 +1,103 @@
+#include "omega_slam/navigation/global_planner.h"
+
+#include <gtest/gtest.h>
+
+#include "support/drawn_map.h"
+
+namespace omega_slam::navigation {
+namespace {
+
+constexpr double kRadius = 0.2;
+
+/// A character is half a metre: two rooms with a door, a store without one, a corner not seen yet.
+const std::vector<std::string> kRooms{"##############",  //
+                                      "#      #  ####",  //
+                                      "#      #  #  #",  //
+                                      "#         #  #",  //
+                                      "#      #  ####",  //
+                                      "#      #    ??",  //
+                                      "#      #    ??",  //
+                                      "##############"};
+
+Costmap roomsCostmap() {
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(test::drawnMap(kRooms, 0.05, 10));
+  return costmap;
+}
+
+Plan planFrom(const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+              const Costmap& costmap = roomsCostmap()) {
+  return GlobalPlanner(PlannerConfig{}, kRadius).plan(costmap, start, goal);
+}
+
+TEST(GlobalPlanner, LeadsThroughTheDoor) {
+  const Plan plan = planFrom({1.0, 1.0}, {4.5, 1.0});
+  ASSERT_TRUE(plan.found()) << plan.reason;
+  EXPECT_EQ(plan.path.front(), Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(plan.path.back(), Eigen::Vector2d(4.5, 1.0));
+  EXPECT_EQ(plan.leave, 0.0);
+  EXPECT_GT(lengthOf(plan.path), 4.0);
+  EXPECT_LT(lengthOf(plan.path), 5.5);
+}
+
+TEST(GlobalPlanner, SaysWhyThereIsNoPlan) {
+  const Eigen::Vector2d start(1.0, 1.0);
+  const struct {
+    Eigen::Vector2d goal;
+    PlanStatus status;
+  } cases[] = {{{3.7, 1.0}, PlanStatus::kGoalOccupied},    {{9.0, 1.0}, PlanStatus::kGoalOutside},
+               {{6.7, 0.8}, PlanStatus::kGoalUnknown},     {{5.9, 2.5}, PlanStatus::kNoWay},
+               {{0.0 / 0.0, 1.0}, PlanStatus::kNotFinite}, {{1e300, 1.0}, PlanStatus::kNotFinite}};
+  for (const auto& one : cases) {
+    const Plan plan = planFrom(start, one.goal);
+    EXPECT_EQ(plan.status, one.status) << plan.reason;
+    EXPECT_FALSE(plan.reason.empty());
+    EXPECT_FALSE(plan.passing);
+  }
+  EXPECT_EQ(planFrom({-1.0, 0.0}, start).status, PlanStatus::kStartOutside);
+  EXPECT_EQ(planFrom({0.2, 1.0}, start).status, PlanStatus::kStartBlocked);
+  EXPECT_EQ(planFrom(start, start, Costmap(CostmapConfig{})).status, PlanStatus::kNoMap);
+}
+
+TEST(GlobalPlanner, MovesAGoalBesideAWallToWhereTheRobotFits) {
+  const Plan near = planFrom({1.0, 1.0}, {0.6, 2.0});  // 0.1 m from the wall
+  ASSERT_TRUE(near.found()) << near.reason;
+  EXPECT_NEAR(near.path.back().x(), 0.72, 0.06);
+  PlannerConfig strict;
+  strict.goal_tolerance = 0.0;
+  const Plan refused = GlobalPlanner(strict, kRadius).plan(roomsCostmap(), {1.0, 1.0}, {0.6, 2.0});
+  EXPECT_EQ(refused.status, PlanStatus::kGoalTooNarrow);
+}
+
+TEST(GlobalPlanner, LeavesAPlaceWhereTheRobotDoesNotFitFirst) {
+  const Plan plan = planFrom({0.65, 2.0}, {3.0, 2.0});  // 0.15 m from the wall
+  ASSERT_TRUE(plan.found()) << plan.reason;
+  EXPECT_GT(plan.leave, 0.0);
+  EXPECT_LT(plan.leave, 0.3);
+  EXPECT_EQ(plan.path.front(), Eigen::Vector2d(0.65, 2.0));
+}
+
+TEST(GlobalPlanner, TellsWhatStandsInTheWayFromWhatIsBuiltThere) {
+  Costmap costmap = roomsCostmap();
+  Sighting sighting;
+  sighting.origin = {3.0, 2.25};
+  for (double y = 2.0; y <= 2.5; y += 0.02) {
+    sighting.returns.emplace_back(3.75, y);  // in the door
+  }
+  costmap.see(sighting, {3.0, 2.25});
+  const Plan blocked = planFrom({1.0, 1.0}, {4.5, 1.0}, costmap);
+  EXPECT_EQ(blocked.status, PlanStatus::kNoWay);
+  EXPECT_TRUE(blocked.passing);
+  costmap.forgetLive();
+  EXPECT_TRUE(planFrom({1.0, 1.0}, {4.5, 1.0}, costmap).found());
+}
+
+TEST(GlobalPlanner, RefusesWrongConfigurations) {
+  PlannerConfig config;
+  config.planner = "crystal ball";
+  EXPECT_THROW(GlobalPlanner(config, kRadius), std::invalid_argument);
+  EXPECT_THROW(GlobalPlanner(PlannerConfig{}, 0.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace omega_slam::navigation
