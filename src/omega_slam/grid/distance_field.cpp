@@ -136,7 +136,8 @@ double DistanceField::interpolated(const Eigen::Vector2d& point) const {
       (point - geometry_.origin) / geometry_.resolution - Eigen::Vector2d(0.5, 0.5);
   const Eigen::Vector2d low = in_cells.array().floor();
   const Cell cell = low.cast<int>();
-  if (!geometry_.contains(cell) || !geometry_.contains(cell + Cell(1, 1))) {
+  if (!geometry_.contains(cell) || !geometry_.contains(cell + Cell(1, 1)) ||
+      std::isinf(atCell(cell))) {  // then there is no obstacle at all
     return lowerBound(point);
   }
   const Eigen::Vector2d share = in_cells - low;
@@ -145,7 +146,7 @@ double DistanceField::interpolated(const Eigen::Vector2d& point) const {
     return left + share.x() * (atCell({cell.x() + 1, row}) - left);
   };
   const double below = between(cell.y());
-  return std::isfinite(below) ? below + share.y() * (between(cell.y() + 1) - below) : below;
+  return below + share.y() * (between(cell.y() + 1) - below);
 }
 
 bool DistanceField::isClear(const Eigen::Vector2d& point, double radius) const {

@@ -82,9 +82,14 @@ TEST_P(DistanceFieldProperty, AnswersForPointsAgreeWithTheSquares) {
         const Eigen::Vector2d at(share(random), share(random));
         const Eigen::Vector2d point = geometry.origin + geometry.resolution * size.cwiseProduct(at);
         const double expected = bruteForce(field, point);
+        if (std::isinf(expected)) {
+          ASSERT_EQ(field.lowerBound(point), expected);
+          ASSERT_EQ(field.interpolated(point), expected);
+          continue;
+        }
         EXPECT_LE(field.lowerBound(point), expected + 1e-6);
         EXPECT_GE(field.lowerBound(point), expected - 1.4143 * geometry.resolution);
-        const double most = expected > 3.0 * geometry.resolution ? 0.1 : 0.4;
+        const double most = expected > 3.0 * geometry.resolution ? 0.1 : 0.5;
         EXPECT_LE(field.interpolated(point), expected + most * geometry.resolution);
         EXPECT_GE(field.interpolated(point), expected - 1.4143 * geometry.resolution);
         const double r = radius(random);
