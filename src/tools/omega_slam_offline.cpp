@@ -19,7 +19,7 @@
 #include "omega_slam/evaluation/relations.h"
 #include "omega_slam/evaluation/report.h"
 #include "omega_slam/geometry/angle.h"
-#include "omega_slam/io/carmen_source.h"
+#include "omega_slam/io/log_source.h"
 #include "omega_slam/io/trajectory_file.h"
 #include "omega_slam/results/run_results.h"
 #include "omega_slam/slam/pipeline.h"
@@ -49,7 +49,7 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& arguments) {
-  app.add_option("INPUT", arguments.input, "recording: a rosbag (.bag) or a CARMEN log")
+  app.add_option("INPUT", arguments.input, "recording: a rosbag (.bag), a rover's log (.dat) or a CARMEN log")
       ->required();
   app.add_option("--out", arguments.out, "folder for the results")->capture_default_str();
   app.add_option("--config", arguments.config,
@@ -78,8 +78,7 @@ std::unique_ptr<io::ScanSource> openSource(const Arguments& arguments) {
     throw std::runtime_error(fmt::format("{}: there is no such file.", arguments.input));
   }
   if (std::filesystem::path(arguments.input).extension() != ".bag") {
-    return std::make_unique<io::CarmenSource>(arguments.input,
-                                              laser_pose.value_or(geometry::Pose2{}));
+    return io::openLog(arguments.input, laser_pose);
   }
 #ifdef OMEGA_SLAM_WITH_ROS
   BagLogOptions options;
