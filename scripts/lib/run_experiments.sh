@@ -9,11 +9,11 @@ new_tables() {
   mkdir -p "$TABLES"
 }
 
-# build_experiments JOBS
+# build_experiments JOBS [TARGET...]
 build_experiments() {
   configure_tree "$EXPERIMENTS_TREE" -DWITH_ROS=OFF -DBUILD_TESTING=OFF -DBUILD_BENCHMARKS=ON \
     -DCMAKE_BUILD_TYPE=RelWithDebInfo || die 'The experiments could not be configured.'
-  build_tree "$EXPERIMENTS_TREE" "$1" || die 'The experiments could not be built.'
+  build_tree "$EXPERIMENTS_TREE" "$@" || die 'The experiments could not be built.'
 }
 
 # What the figures were made with, as a table.

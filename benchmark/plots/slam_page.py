@@ -1,0 +1,114 @@
+"""The tables of docs/experiments/slam.md."""
+import statistics
+
+from page import markdownTable, percent
+from slam_tables import GOALS, LOGS, PEERS, having, inOrder, isGood, isKnown, trueShare
+from tables import column
+
+PARTS = ('accuracy', 'simulation', 'hostile')
+FAULTS = {
+    'none': 'none', 'duplicated_10': '10 % of the scans twice',
+    'duplicated_30': '30 % of the scans twice', 'reordered_10': '10 % of the scans out of order',
+    'reordered_30': '30 % of the scans out of order', 'missing_10': '10 % of the scans missing',
+    'missing_30': '30 % of the scans missing', 'gap_1': 'three gaps of 1 s',
+    'gap_10': 'three gaps of 10 s', 'gap_60': 'three gaps of 60 s',
+    'frozen_laser': 'laser frozen, three times 10 s', 'half_blocked': 'half of the view blocked',
+    'person': 'a person walks in front', 'odometry_reset': 'odometry back to zero',
+    'odometry_scale': 'odometry overstates ways by 5 %'}
+
+
+def metres(value, digits=3):
+    return f'{value:.{digits}f}' if isKnown(value) else '-'
+
+
+def share(value):
+    return '-' if value is None or not isKnown(value) else percent(value)
+
+
+def runSection(results, part):
+    """When and where a part was run, in a sentence."""
+    if not results.has(f'run_{part}'):
+        return None
+    run, = results.table(f'run_{part}')
+    return (f'On {run["date"]}, one of {run["processors"]:.0f} processors "{run["processor"]}", '
+            f'{run["compiler"]}, RelWithDebInfo.\n')
+
+
+def againstPeers(results):
+    """Our error on a log beside that of others."""
+    rows = having(results.rows('accuracy'))
+    logs = [log for log in PEERS if having(rows, log=log)]
+    table = []
+    for peer in PEERS['intel_first']:
+        cells = [peer]
+        for log in logs:
+            figures = PEERS[log][peer]
+            cells += ['fails', 'fails'] if figures is None else [f'{figures[0]:.4f}',
+                                                                 f'{figures[1]:.2f}']
+        table.append(cells)
+    ours, goals = ['**omega_slam**'], ['to be reached']
+    for log in logs:
+        row, = having(rows, log=log)
+        ours += [f'**{row["error"]:.4f}**', f'**{row["turn"]:.2f}**']
+        goals += [f'{GOALS[log][0]:.4f}', f'{GOALS[log][1]:.2f}']
+    head = ['']
+    for log in logs:
+        head += [f'{LOGS[log]}: m', 'degrees']
+    return logs and markdownTable(head, table + [ours, goals])
+
+
+def accuracySection(results):
+    table = []
+    for row in inOrder(results.rows('accuracy'), 'log', LOGS):
+        deviation = f' ± {row["error_deviation"]:.4f}' if isKnown(row['error']) else ''
+        turned = f' ± {row["turn_deviation"]:.2f}' if isKnown(row['turn']) else ''
+        table.append([
+            LOGS.get(row['log'], row['log']), f'{row["scans"]:.0f}', f'{row["keyframes"]:.0f}',
+            share(row['covered']), metres(row['error'], 4) + deviation, metres(row['worst']),
+            metres(row['turn'], 2) + turned, metres(row['odometry_error'], 2),
+            f'{row["loops"]:.0f}', share(trueShare(row)), f'{row["withdrawn"]:.0f}'])
+    return table and markdownTable(
+        ['log', 'scans', 'keyframes', 'relations covered', 'error (m)', 'worst (m)',
+         'turned (degrees)', 'odometry alone (m)', 'loops found', 'of them true', 'withdrawn'],
+        table)
+
+
+def simulationSection(results):
+    table = []
+    for (world, laser, noise), rows in results.drives().items():
+        table.append([
+            world, laser, f'{noise:g}', f'{sum(map(isGood, rows))} of {len(rows)}',
+            metres(statistics.median(column(rows, 'error'))), metres(max(column(rows, 'error'))),
+            metres(statistics.median(column(rows, 'turn')), 2),
+            metres(statistics.median(column(rows, 'odometry_error')), 2),
+            metres(max(column(rows, 'odometry_error')), 1),
+            f'{sum(column(rows, "loops")):.0f}', f'{sum(column(rows, "false_loops")):.0f}',
+            f'{statistics.median(column(rows, "squared_length")):.2g}'])
+    return table and markdownTable(
+        ['world', 'laser', 'noise', 'good runs', 'median error (m)', 'worst error (m)',
+         'turned (degrees)', 'odometry: median error (m)', 'worst (m)', 'loops', 'false ones',
+         'squared error / covariance'], table)
+
+
+def hostileSection(results):
+    table = []
+    rows = results.rows('hostile')
+    for log in dict.fromkeys(column(rows, 'log')):
+        whole, = having(rows, log=log, fault='none')
+        for row in having(rows, log=log):
+            table.append([
+                LOGS.get(log, log + ', simulated'), FAULTS[row['fault']], f'{row["scans"]:.0f}',
+                f'{row["rejected"]:.0f}', share(row['covered']), metres(row['error'], 4),
+                f'{row["error"] / whole["error"]:.1f}', metres(row['turn'], 2),
+                metres(row['worst']), f'{row["loops"]:.0f}', f'{row["withdrawn"]:.0f}'])
+    return table and markdownTable(
+        ['run', 'fault', 'scans', 'rejected', 'covered', 'error (m)', 'times that of none',
+         'turned (degrees)', 'worst (m)', 'loops', 'withdrawn'], table)
+
+
+def sectionsOf(results):
+    """Name in the page -> table."""
+    sections = {f'run_{part}': runSection(results, part) for part in PARTS}
+    sections.update(peers=againstPeers(results), accuracy=accuracySection(results),
+                    simulation=simulationSection(results), hostile=hostileSection(results))
+    return {name: text for name, text in sections.items() if text}
