@@ -35,11 +35,11 @@ queue() {
   QUEUE+=("${*@Q}")
 }
 
-# run_queued NUMBER: the run of that number, with the lowest priority; its rows into a file.
+# run_queued NUMBER: the run of that number; its rows into a file.
 run_queued() {
   local -a words
   eval "words=(${QUEUE[$1]})"
-  OMP_NUM_THREADS=1 nice -n 15 "$SLAM_PROGRAM" "${SLAM_CONFIG[@]}" "${words[@]}" \
+  OMP_NUM_THREADS=1 "$SLAM_PROGRAM" "${SLAM_CONFIG[@]}" "${words[@]}" \
     >"$PART_TABLES/$1.csv" 2>>"$LOG_DIR/experiment_slam.log" </dev/null
 }
 

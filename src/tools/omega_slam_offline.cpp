@@ -49,7 +49,8 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& arguments) {
-  app.add_option("INPUT", arguments.input, "recording: a rosbag (.bag), a rover's log (.dat) or a CARMEN log")
+  app.add_option("INPUT", arguments.input,
+                 "recording: a rosbag (.bag), a rover's log (.dat) or a CARMEN log")
       ->required();
   app.add_option("--out", arguments.out, "folder for the results")->capture_default_str();
   app.add_option("--config", arguments.config,
