@@ -48,7 +48,8 @@ TEST_P(ShippedWorldTest, ItsRouteIsDrivenWithoutACollision) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedWorldTest,
                          ::testing::Values(ShippedWorld{"lab", 11.0, 18.0, 250.0},
                                            ShippedWorld{"office", 40.0, 25.0, 600.0},
-                                           ShippedWorld{"maze", 10.0, 10.0, 600.0}),
+                                           ShippedWorld{"maze", 10.0, 10.0, 600.0},
+                                           ShippedWorld{"corridor", 80.3, 2.45, 450.0}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
