@@ -11,7 +11,7 @@ namespace omega_slam::test {
 /// lower left corner is the origin.
 /// @param rows of equal length; @param resolution [m] of a cell
 /// @param cells each character stands for so many by so many of them
-[[nodiscard]] grid::OccupancyGrid drawnMap(const std::vector<std::string>& rows, double resolution,
-                                           int cells = 1);
+[[nodiscard]] grid::OccupancyGrid drawnMap(const std::vector<std::string>& rows,
+                                           double resolution = 1.0, int cells = 1);
 
 }  // namespace omega_slam::test

@@ -2,155 +2,76 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <cstdint>
+#include <algorithm>
 #include <stdexcept>
+
+#include "omega_slam/evaluation/cell_mask.h"
 
 namespace omega_slam::evaluation {
 namespace {
 
 using grid::Cell;
-using grid::GridGeometry;
 using grid::OccupancyGrid;
-
-bool isWall(std::int8_t value) { return value >= 65; }
-bool isOpen(std::int8_t value) { return value >= 0 && value <= 25; }
 
 double share(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// One yes or no for each cell of a grid; outside of it the answer is no.
-class Mask {
- public:
-  explicit Mask(const GridGeometry& geometry) : geometry_(geometry), flags_(geometry.size(), 0) {}
-
-  void set(const Cell& cell) {
-    if (geometry_.contains(cell)) {
-      flags_[geometry_.index(cell)] = 1;
-    }
-  }
-  [[nodiscard]] bool at(const Cell& cell) const {
-    return geometry_.contains(cell) && flags_[geometry_.index(cell)] != 0;
-  }
-  [[nodiscard]] bool at(const Eigen::Vector2d& point) const {
-    // Points far outside would not fit into a cell's numbers.
-    const Eigen::Array2d cells = (point - geometry_.origin).array() / geometry_.resolution;
-    const bool inside =
-        (cells >= 0.0).all() && cells.x() < geometry_.width && cells.y() < geometry_.height;
-    return inside && at(Cell(cells.floor().cast<int>()));
-  }
-
- private:
-  GridGeometry geometry_;
-  std::vector<std::uint8_t> flags_;
-};
-
-template <typename Visitor>
-void forEachCell(const GridGeometry& geometry, Visitor&& visit) {
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x) {
-      visit(Cell(x, y));
-    }
-  }
-}
-
-/// Walls and what lies within so many cells of one.
-Mask wallsWidened(const OccupancyGrid& map, int reach) {
-  Mask mask(map.geometry);
-  forEachCell(map.geometry, [&](const Cell& cell) {
-    if (!isWall(map.at(cell))) {
-      return;
-    }
-    for (int dy = -reach; dy <= reach; ++dy) {
-      for (int dx = -reach; dx <= reach; ++dx) {
-        mask.set(cell + Cell(dx, dy));
-      }
-    }
-  });
-  return mask;
-}
-
-/// Open cells that are connected with the start, by edges of cells.
-Mask reachable(const OccupancyGrid& map, const Eigen::Vector2d& start) {
-  Mask open(map.geometry);
-  forEachCell(map.geometry, [&](const Cell& cell) {
-    if (isOpen(map.at(cell))) {
-      open.set(cell);
-    }
-  });
-  Mask reached(map.geometry);
-  if (!open.at(start)) {
-    return reached;
-  }
-  std::vector<Cell> pending{map.geometry.cellAt(start)};
-  reached.set(pending.front());
-  const std::array<Cell, 4> steps{Cell(1, 0), Cell(0, 1), Cell(-1, 0), Cell(0, -1)};
-  while (!pending.empty()) {
-    const Cell cell = pending.back();
-    pending.pop_back();
-    for (const Cell& step : steps) {
-      if (const Cell next = cell + step; open.at(next) && !reached.at(next)) {
-        reached.set(next);
-        pending.push_back(next);
-      }
-    }
-  }
-  return reached;
-}
-
-bool touches(const Mask& mask, const Cell& cell) {
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (mask.at(Cell(cell + Cell(dx, dy)))) {
-        return true;
-      }
-    }
-  }
-  return false;
+std::size_t count(const std::vector<Verdict>& verdicts, Verdict wanted) {
+  return static_cast<std::size_t>(std::count(verdicts.begin(), verdicts.end(), wanted));
 }
 
 /// What was built, looked up in the truth.
-void judgeBuilt(const OccupancyGrid& built, const geometry::Pose2& T_truth_map,
-                const Mask& true_walls, const Mask& true_open, Resemblance& result) {
+std::vector<Verdict> judgeBuilt(const OccupancyGrid& built, const geometry::Pose2& T_truth_map,
+                                const CellMask& true_walls, const CellMask& true_open) {
+  std::vector<Verdict> verdicts(built.cells.size(), Verdict::kNone);
   forEachCell(built.geometry, [&](const Cell& cell) {
     const std::int8_t value = built.at(cell);
     const Eigen::Vector2d p_truth = T_truth_map * built.geometry.center(cell);
+    Verdict& verdict = verdicts[built.geometry.index(cell)];
     if (isWall(value)) {
-      ++(true_walls.at(p_truth) ? result.walls_right : result.walls_wrong);
+      verdict = true_walls.at(p_truth) ? Verdict::kWallRight : Verdict::kWallWrong;
     } else if (isOpen(value)) {
-      ++(true_open.at(p_truth) ? result.open_right : result.open_wrong);
+      verdict = true_open.at(p_truth) ? Verdict::kOpenRight : Verdict::kOpenWrong;
     }
   });
+  return verdicts;
 }
 
 /// What there was to be found, looked up in what was built.
-void judgeFound(const OccupancyGrid& truth, const geometry::Pose2& T_map_truth,
-                const Mask& true_open, const OccupancyGrid& built, const Mask& built_walls,
-                Resemblance& result) {
-  Mask built_open(built.geometry);
-  Mask built_known(built.geometry);
-  forEachCell(built.geometry, [&](const Cell& cell) {
-    const std::int8_t value = built.at(cell);
-    if (isOpen(value)) {
-      built_open.set(cell);
-    }
-    if (isOpen(value) || isWall(value)) {
-      built_known.set(cell);
-    }
-  });
+std::vector<Verdict> judgeTruth(const OccupancyGrid& truth, const geometry::Pose2& T_map_truth,
+                                const CellMask& true_open, const OccupancyGrid& built,
+                                int wall_tolerance) {
+  const CellMask built_open = openCells(built);
+  const CellMask built_walls = wallsWidened(built, 0);
+  const CellMask walls_nearby = wallsWidened(built, wall_tolerance);
+  std::vector<Verdict> verdicts(truth.cells.size(), Verdict::kNone);
   forEachCell(truth.geometry, [&](const Cell& cell) {
     const Eigen::Vector2d p_map = T_map_truth * truth.geometry.center(cell);
+    Verdict& verdict = verdicts[truth.geometry.index(cell)];
     if (true_open.at(cell)) {
-      ++result.open_to_find;
-      result.open_found += built_open.at(p_map) ? 1U : 0U;
-      result.open_seen += built_known.at(p_map) ? 1U : 0U;
-    } else if (isWall(truth.at(cell)) && touches(true_open, cell)) {
-      ++result.walls_to_find;
-      result.walls_found += built_walls.at(p_map) ? 1U : 0U;
+      verdict = built_open.at(p_map)    ? Verdict::kOpenRight
+                : built_walls.at(p_map) ? Verdict::kOpenMissed
+                                        : Verdict::kOpenUnseen;
+    } else if (isWall(truth.at(cell)) && true_open.touches(cell)) {
+      verdict = walls_nearby.at(p_map) ? Verdict::kWallRight : Verdict::kWallMissed;
     }
   });
+  return verdicts;
+}
+
+Resemblance sum(const std::vector<Verdict>& built, const std::vector<Verdict>& truth) {
+  Resemblance result;
+  result.walls_right = count(built, Verdict::kWallRight);
+  result.walls_wrong = count(built, Verdict::kWallWrong);
+  result.open_right = count(built, Verdict::kOpenRight);
+  result.open_wrong = count(built, Verdict::kOpenWrong);
+  result.walls_found = count(truth, Verdict::kWallRight);
+  result.walls_to_find = result.walls_found + count(truth, Verdict::kWallMissed);
+  result.open_found = count(truth, Verdict::kOpenRight);
+  result.open_seen = result.open_found + count(truth, Verdict::kOpenMissed);
+  result.open_to_find = result.open_seen + count(truth, Verdict::kOpenUnseen);
+  return result;
 }
 
 }  // namespace
@@ -175,18 +96,20 @@ std::vector<std::string> ResemblanceOptions::validate() const {
                       wall_tolerance)};
 }
 
-Resemblance compareMaps(const OccupancyGrid& built, const OccupancyGrid& truth,
+MapComparison judgeMaps(const OccupancyGrid& built, const OccupancyGrid& truth,
                         const MapPlacement& placement, const ResemblanceOptions& options) {
   if (const std::vector<std::string> faults = options.validate(); !faults.empty()) {
     throw std::invalid_argument(fmt::format("{}", fmt::join(faults, " ")));
   }
-  const Mask true_walls = wallsWidened(truth, options.wall_tolerance);
-  const Mask true_open = reachable(truth, placement.start_truth);
-  Resemblance result;
-  judgeBuilt(built, placement.T_truth_map, true_walls, true_open, result);
-  judgeFound(truth, placement.T_truth_map.inverse(), true_open, built,
-             wallsWidened(built, options.wall_tolerance), result);
-  return result;
+  const CellMask true_open = placement.start_truth ? reachableFrom(truth, *placement.start_truth)
+                                                   : largestOpenSpace(truth);
+  MapComparison comparison;
+  comparison.built = judgeBuilt(built, placement.T_truth_map,
+                                wallsWidened(truth, options.wall_tolerance), true_open);
+  comparison.truth =
+      judgeTruth(truth, placement.T_truth_map.inverse(), true_open, built, options.wall_tolerance);
+  comparison.resemblance = sum(comparison.built, comparison.truth);
+  return comparison;
 }
 
 }  // namespace omega_slam::evaluation

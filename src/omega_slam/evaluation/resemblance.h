@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,8 @@ struct ResemblanceOptions {
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
-/// How a built map resembles the true one, cell by cell (the paper, section 7.3). Cells are
-/// `occupied` from 65 up and `open` from 0 to 25, as map_saver has it; anything else is unknown.
+/// How a built map resembles the true one, cell by cell (the paper, section 7.3). Cells are walls
+/// from 65 up and open from 0 to 25, as map_saver has it; anything else is unknown.
 struct Resemblance {
   std::size_t walls_right{0};  ///< built wall cells with a true wall in their place
   std::size_t walls_wrong{0};  ///< built wall cells without
@@ -44,17 +46,46 @@ struct Resemblance {
 
 /// Where to compare.
 struct MapPlacement {
-  geometry::Pose2 T_truth_map;            ///< the built map's frame in the true map's frame
-  Eigen::Vector2d start_truth{0.0, 0.0};  ///< [m] where the robot started, in the true map's frame
+  geometry::Pose2 T_truth_map;  ///< the built map's frame in the true map's frame
+  /// [m] Where the robot started, in the true map's frame: what is connected with it can be
+  /// reached. Without it, the largest open space of the true map is what can be reached.
+  std::optional<Eigen::Vector2d> start_truth;
+};
+
+/// What a cell of the one map is found to be in the other.
+enum class Verdict : std::uint8_t {
+  kNone,        ///< not judged: unknown, or in the true map neither reachable nor bordering on that
+  kWallRight,   ///< a wall in both
+  kWallWrong,   ///< built, but there is none
+  kWallMissed,  ///< there is one, but it was not built
+  kOpenRight,   ///< open in both
+  kOpenWrong,   ///< built open, but a wall or out of reach
+  kOpenMissed,  ///< reachable, but built as a wall
+  kOpenUnseen   ///< reachable, but unknown or outside of the built map
+};
+
+/// A verdict for each cell of both maps, and their sums.
+struct MapComparison {
+  std::vector<Verdict> built;  ///< cells as in the built map
+  std::vector<Verdict> truth;  ///< cells as in the true map
+  Resemblance resemblance;
 };
 
 /// Compares a built map with the true one. Resolutions may differ: each cell of the one is looked
-/// up by its centre in the other. If the start is not in open space of the true map, nothing can be
-/// reached and all open cells are wrong.
+/// up by its centre in the other. If a start is given that is not in open space of the true map,
+/// nothing can be reached and all open cells are wrong. Linear in the cells of both maps.
 /// @throws std::invalid_argument for options that are not valid
-[[nodiscard]] Resemblance compareMaps(const grid::OccupancyGrid& built,
+[[nodiscard]] MapComparison judgeMaps(const grid::OccupancyGrid& built,
                                       const grid::OccupancyGrid& truth,
                                       const MapPlacement& placement,
                                       const ResemblanceOptions& options = {});
+
+/// The sums alone.
+[[nodiscard]] inline Resemblance compareMaps(const grid::OccupancyGrid& built,
+                                             const grid::OccupancyGrid& truth,
+                                             const MapPlacement& placement,
+                                             const ResemblanceOptions& options = {}) {
+  return judgeMaps(built, truth, placement, options).resemblance;
+}
 
 }  // namespace omega_slam::evaluation

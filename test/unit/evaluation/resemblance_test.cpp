@@ -7,26 +7,12 @@
 #include <vector>
 
 #include "omega_slam/geometry/angle.h"
+#include "support/drawn_map.h"
 
 namespace omega_slam::evaluation {
 namespace {
 
 using grid::OccupancyGrid;
-
-/// A map from a drawing, top row first: # wall, . free, anything else unknown. Cells of 1 m.
-OccupancyGrid drawing(const std::vector<std::string>& rows) {
-  OccupancyGrid map = grid::makeGrid(
-      {1.0, {0.0, 0.0}, static_cast<int>(rows[0].size()), static_cast<int>(rows.size())},
-      grid::kUnknown);
-  for (int y = 0; y < map.geometry.height; ++y) {
-    const std::string& row = rows[rows.size() - 1 - static_cast<std::size_t>(y)];
-    for (int x = 0; x < map.geometry.width; ++x) {
-      const char c = row[static_cast<std::size_t>(x)];
-      map.at({x, y}) = c == '#' ? grid::kOccupied : (c == '.' ? grid::kFree : grid::kUnknown);
-    }
-  }
-  return map;
-}
 
 ResemblanceOptions strict() {
   ResemblanceOptions options;
@@ -35,20 +21,21 @@ ResemblanceOptions strict() {
 }
 
 // A room with an open field of 4 x 2 and, behind a wall, a chamber that cannot be entered.
-const OccupancyGrid kTruth = drawing({
+const OccupancyGrid kTruth = test::drawnMap({
     "#########",
     "#....#..#",
     "#....#..#",
     "#########",
 });
-const MapPlacement kPlacement{{}, {1.5, 1.5}};
+const Eigen::Vector2d kStart(1.5, 1.5);
+const MapPlacement kPlacement{{}, kStart};
 
 TEST(Resemblance, AMapResemblesItself) {
-  const Resemblance same = compareMaps(drawing({
-                                           "######   ",
-                                           "#....#   ",
-                                           "#....#   ",
-                                           "######   ",
+  const Resemblance same = compareMaps(test::drawnMap({
+                                           "######???",
+                                           "#....#???",
+                                           "#....#???",
+                                           "######???",
                                        }),
                                        kTruth, kPlacement, strict());
   EXPECT_EQ(same.walls_right, 16U);
@@ -68,13 +55,13 @@ TEST(Resemblance, AMapResemblesItself) {
 TEST(Resemblance, ByHand) {
   // Right: 3 walls and 4 open cells. Wrong: a wall in the open, two open cells in walls, one in the
   // chamber and one outside.
-  const Resemblance some = compareMaps(drawing({
-                                           "##.      .",
-                                           "#..#   ..",
-                                           "  ..     ",
-                                           "         ",
+  const Resemblance some = compareMaps(test::drawnMap({
+                                           "##.??????.",
+                                           "#..#???..?",
+                                           "??..??????",
+                                           "??????????",
                                        }),
-                                       drawing({
+                                       test::drawnMap({
                                            "#########",
                                            "#....#..#",
                                            "#....#..#",
@@ -93,11 +80,11 @@ TEST(Resemblance, ByHand) {
 }
 
 TEST(Resemblance, WallsMayLieACellOff) {
-  const OccupancyGrid shifted = drawing({
-      "         ",
-      "######   ",
-      "         ",
-      "         ",
+  const OccupancyGrid shifted = test::drawnMap({
+      "?????????",
+      "######???",
+      "?????????",
+      "?????????",
   });
   EXPECT_EQ(compareMaps(shifted, kTruth, kPlacement, strict()).walls_right, 2U);
   EXPECT_EQ(compareMaps(shifted, kTruth, kPlacement).walls_right, 6U);
@@ -106,7 +93,7 @@ TEST(Resemblance, WallsMayLieACellOff) {
 
 TEST(Resemblance, ThePlacementIsThatOfTheBuiltMapInTheTruth) {
   // The built map is the room seen from a frame at its lower right, turned by 90 degrees.
-  const OccupancyGrid built = drawing({
+  const OccupancyGrid built = test::drawnMap({
       "####",
       "#..#",
       "#..#",
@@ -114,7 +101,7 @@ TEST(Resemblance, ThePlacementIsThatOfTheBuiltMapInTheTruth) {
       "#..#",
       "####",
   });
-  const MapPlacement turned{{6.0, 0.0, geometry::kPi / 2}, {1.5, 1.5}};
+  const MapPlacement turned{{6.0, 0.0, geometry::kPi / 2}, kStart};
   const Resemblance result = compareMaps(built, kTruth, turned, strict());
   EXPECT_DOUBLE_EQ(result.score(), 1.0);
   EXPECT_DOUBLE_EQ(result.coverage(), 1.0);
@@ -137,6 +124,36 @@ TEST(Resemblance, AStartThatIsNotInTheOpenReachesNothing) {
   }
 }
 
+TEST(Resemblance, WithoutAStartTheLargestOpenSpaceCanBeReached) {
+  const MapPlacement anywhere;
+  EXPECT_EQ(compareMaps(kTruth, kTruth, anywhere).open_to_find, 8U);
+  EXPECT_EQ(compareMaps(kTruth, kTruth, anywhere).open_right,
+            compareMaps(kTruth, kTruth, kPlacement).open_right);
+}
+
+TEST(Resemblance, EachCellHasItsVerdict) {
+  const MapComparison some = judgeMaps(test::drawnMap({
+                                           "###?#####",
+                                           "#.##.#..#",
+                                           "#...?#..#",
+                                           "#########",
+                                       }),
+                                       kTruth, kPlacement, strict());
+  const auto built = [&](int x, int y) { return some.built[kTruth.geometry.index({x, y})]; };
+  const auto truth = [&](int x, int y) { return some.truth[kTruth.geometry.index({x, y})]; };
+  EXPECT_EQ(built(0, 0), Verdict::kWallRight);
+  EXPECT_EQ(built(2, 2), Verdict::kWallWrong);
+  EXPECT_EQ(built(1, 1), Verdict::kOpenRight);
+  EXPECT_EQ(built(7, 1), Verdict::kOpenWrong);  // behind a wall
+  EXPECT_EQ(built(4, 1), Verdict::kNone);
+  EXPECT_EQ(truth(3, 3), Verdict::kWallMissed);
+  EXPECT_EQ(truth(2, 2), Verdict::kOpenMissed);
+  EXPECT_EQ(truth(4, 1), Verdict::kOpenUnseen);
+  EXPECT_EQ(truth(1, 1), Verdict::kOpenRight);
+  EXPECT_EQ(truth(1, 0), Verdict::kWallRight);
+  EXPECT_EQ(truth(7, 1), Verdict::kNone);
+}
+
 TEST(Resemblance, NothingBuiltResemblesNothing) {
   const Resemblance result = compareMaps({}, kTruth, kPlacement);
   EXPECT_DOUBLE_EQ(result.score(), 0.0);
@@ -145,8 +162,7 @@ TEST(Resemblance, NothingBuiltResemblesNothing) {
 }
 
 TEST(Resemblance, FarPlacementsAreOutside) {
-  const Resemblance result =
-      compareMaps(kTruth, kTruth, {{1e12, -1e12, 1.0}, {1.5, 1.5}}, strict());
+  const Resemblance result = compareMaps(kTruth, kTruth, {{1e12, -1e12, 1.0}, kStart}, strict());
   EXPECT_DOUBLE_EQ(result.score(), 0.0);
 }
 
