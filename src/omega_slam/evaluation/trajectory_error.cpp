@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "omega_slam/evaluation/rigid_fit.h"
 #include "omega_slam/geometry/angle.h"
 
 namespace omega_slam::evaluation {
@@ -52,34 +53,15 @@ std::vector<Pair> pairUp(const Trajectory& estimate, Trajectory truth, double ma
   return pairs;
 }
 
-/// In the plane the best rotation has a closed form: the direction of the summed products of
-/// centred points, taken as complex numbers.
 Pose2 fit(const std::vector<Pair>& pairs) {
-  const auto count = static_cast<double>(pairs.size());
-  Eigen::Vector2d estimate_mean = Eigen::Vector2d::Zero();
-  Eigen::Vector2d truth_mean = Eigen::Vector2d::Zero();
-  for (const Pair& pair : pairs) {
-    estimate_mean += pair.estimate.translation() / count;
-    truth_mean += pair.truth.translation() / count;
-  }
-  double cosine = 0.0;
-  double sine = 0.0;
+  std::vector<PointPair> points;
   Eigen::Vector2d heading = Eigen::Vector2d::Zero();
   for (const Pair& pair : pairs) {
-    const Eigen::Vector2d p = pair.estimate.translation() - estimate_mean;
-    const Eigen::Vector2d q = pair.truth.translation() - truth_mean;
-    cosine += p.dot(q);
-    sine += p.x() * q.y() - p.y() * q.x();
+    points.push_back({pair.estimate.translation(), pair.truth.translation()});
     const double turn = geometry::angleDifference(pair.truth.theta, pair.estimate.theta);
     heading += Eigen::Vector2d(std::cos(turn), std::sin(turn));
   }
-  // Positions within a millimetre or so of each other tell no rotation.
-  constexpr double kStandingStill = 1e-6;  // [m^2]
-  const bool moved = std::hypot(cosine, sine) > kStandingStill * count;
-  const double theta = moved ? std::atan2(sine, cosine) : std::atan2(heading.y(), heading.x());
-  const Eigen::Vector2d turned = Pose2{0.0, 0.0, theta} * estimate_mean;
-  return {truth_mean.x() - turned.x(), truth_mean.y() - turned.y(),
-          geometry::normalizeAngle(theta)};
+  return fitRigidMotion(points, std::atan2(heading.y(), heading.x()));
 }
 
 }  // namespace
