@@ -3,7 +3,7 @@ find_package(Eigen3 REQUIRED)
 # PCL asks for VTK, and with it half a desktop, only to draw; we do not draw with it.
 set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
 find_package(PCL REQUIRED COMPONENTS common kdtree search registration)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d)
 find_package(yaml-cpp REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nanoflann REQUIRED)
