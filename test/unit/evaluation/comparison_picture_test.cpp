@@ -20,9 +20,9 @@ const grid::OccupancyGrid kTruth = test::drawnMap({
     "############",
 });
 const grid::OccupancyGrid kBuilt = test::drawnMap({
-    "##  ########",
-    "#..#     #.#",
-    "#........# #",
+    "##??########",
+    "#..#?????#.#",
+    "#........#?#",
     "############",
 });
 
