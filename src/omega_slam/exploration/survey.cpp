@@ -1,0 +1,100 @@
+#include "omega_slam/exploration/survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "omega_slam/exploration/information_gain.h"
+#include "omega_slam/exploration/own_place.h"
+#include "omega_slam/geometry/angle.h"
+
+namespace omega_slam::exploration {
+namespace {
+
+constexpr double kSnap = 1.0;          // [m] from a robot that is too close to something to room
+constexpr double kViewDistance = 2.0;  // [m] viewpoints farther from a frontier are none
+constexpr double kWayAhead = 0.5;      // [m] of a way that tell the direction in which it begins
+
+/// A navigation goes by the map as it is, and lets the robot out of where it does not fit; only
+/// where there is no room nearby at all, the robot's own place counts as free, so that it can turn
+/// around.
+StandingRoom roomFor(const grid::OccupancyGrid& map, const MapView& with_own_place, double radius,
+                     const Eigen::Vector2d& position) {
+  StandingRoom room(MapView(map), radius);
+  return room.nearestRoom(position, kSnap).empty() ? StandingRoom(with_own_place, radius)
+                                                   : std::move(room);
+}
+
+}  // namespace
+
+Survey::Survey(const grid::OccupancyGrid& map, const geometry::Pose2& T_map_base,
+               double robot_radius, double sensor_range)
+    : map_(withOwnPlaceFree(map, T_map_base.translation(), robot_radius)),
+      view_(map_),
+      T_map_base_(T_map_base),
+      robot_radius_(robot_radius),
+      sensor_range_(sensor_range),
+      room_(roomFor(map, view_, robot_radius, T_map_base.translation())),
+      travel_(room_, T_map_base.translation(), kSnap) {}
+
+double Survey::turnTowards(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d way = point - T_map_base_.translation();
+  if (way.norm() < map_.geometry.resolution) {
+    return 0.0;
+  }
+  return std::abs(geometry::angleDifference(std::atan2(way.y(), way.x()), T_map_base_.theta));
+}
+
+std::optional<Option> Survey::optionFor(const Frontier& frontier,
+                                        const std::vector<Eigen::Vector2d>& tried) const {
+  const auto viewpoint =
+      findViewpoint(frontier, view_, travel_, tried, std::min(kViewDistance, sensor_range_));
+  if (!viewpoint) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d place = viewpoint->T_map_base.translation();
+  const auto path = travel_.pathTo(view_.cellAt(place));
+  const auto ahead = std::find_if(path.begin(), path.end(), [this](const Eigen::Vector2d& point) {
+    return (point - T_map_base_.translation()).norm() >= kWayAhead;
+  });
+  const bool is_here = path.size() < 2;
+  const double turn =
+      is_here ? std::abs(geometry::angleDifference(viewpoint->T_map_base.theta, T_map_base_.theta))
+              : turnTowards(ahead == path.end() ? place : *ahead);
+  return Option{frontier.id, *viewpoint, expectedGain(view_, place, sensor_range_), turn};
+}
+
+std::vector<double> Survey::travelBetween(const Option& from, const std::vector<Option>& to) const {
+  const TravelField field(room_, from.viewpoint.T_map_base.translation(), kSnap);
+  std::vector<double> lengths;
+  for (const Option& option : to) {
+    lengths.push_back(field.distanceTo(view_.cellAt(option.viewpoint.T_map_base.translation()))
+                          .value_or(std::numeric_limits<double>::infinity()));
+  }
+  return lengths;
+}
+
+std::optional<double> Survey::travelTo(const Eigen::Vector2d& point) const {
+  const Cell center = view_.cellAt(point);
+  const int reach = static_cast<int>(std::ceil(robot_radius_ / map_.geometry.resolution));
+  std::optional<double> least;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      if (const auto travel = travel_.distanceTo(center + Cell(x, y))) {
+        const double whole = *travel + map_.geometry.resolution * std::hypot(x, y);
+        least = std::min(least.value_or(whole), whole);
+      }
+    }
+  }
+  return least;
+}
+
+double Survey::knownArea() const {
+  const auto known = std::count_if(map_.cells.begin(), map_.cells.end(), [](std::int8_t value) {
+    return stateOf(value) != CellState::kUnknown;
+  });
+  return static_cast<double>(known) * map_.geometry.resolution * map_.geometry.resolution;
+}
+
+}  // namespace omega_slam::exploration

@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "omega_slam/exploration/information_gain.h"
+#include "omega_slam/exploration/strategy_factory.h"
+#include "omega_slam/exploration/tour.h"
+#include "omega_slam/exploration/wall_follower.h"
+#include "omega_slam/geometry/angle.h"
+#include "support/drawn_map.h"
+
+namespace omega_slam::exploration {
+namespace {
+
+using ::testing::ElementsAre;
+
+Option option(FrontierId id, double x, double y, double travel, double gain, double turn) {
+  return {id, {{x, y, 0.0}, travel}, gain, turn};
+}
+
+/// Frontier 1 is near, 2 near the origin, 3 straight ahead, 4 rich.
+Situation situation() {
+  Situation result;
+  result.options = {option(4, 9.0, 4.0, 6.0, 30.0, 2.0), option(1, 6.0, 1.0, 1.0, 1.0, 1.6),
+                    option(3, 8.0, 0.0, 3.0, 2.0, 0.1), option(2, 0.5, 0.0, 4.5, 2.0, 3.1)};
+  result.T_map_base = {5.0, 0.0, 0.0};
+  result.travelFrom = [options = result.options](std::size_t from) {
+    std::vector<double> lengths;
+    for (const Option& to : options) {
+      lengths.push_back(
+          geometry::distance(options[from].viewpoint.T_map_base, to.viewpoint.T_map_base));
+    }
+    return lengths;
+  };
+  return result;
+}
+
+FrontierId chosenBy(const std::string& strategy) {
+  const Situation now = situation();
+  return now.options[makeStrategy(strategy)->choose(now)].frontier;
+}
+
+TEST(Strategies, EachChoosesItsOwn) {
+  EXPECT_EQ(chosenBy("nearest_to_robot"), 1U);
+  EXPECT_EQ(chosenBy("nearest_to_origin"), 2U);
+  EXPECT_EQ(chosenBy("along_route"), 3U);
+  EXPECT_EQ(chosenBy("gain_over_cost"), 4U);
+}
+
+TEST(Strategies, AmongEqualsTheOldestFrontierIsTaken) {
+  Situation now = situation();
+  now.options = {option(7, 1.0, 0.0, 1.0, 1.0, 0.0), option(5, -1.0, 0.0, 1.0, 1.0, 0.0)};
+  now.travelFrom = [](std::size_t) { return std::vector<double>{2.0, 2.0}; };
+  for (const std::string& name : strategyNames()) {
+    if (name != kWallFollowing && name != "nearest_to_origin") {
+      EXPECT_EQ(now.options[makeStrategy(name)->choose(now)].frontier, 5U) << name;
+    }
+  }
+}
+
+TEST(Strategies, AllNamesAreKnownAndNoOthers) {
+  for (const std::string& name : strategyNames()) {
+    EXPECT_EQ(makeStrategy(name) == nullptr, name == kWallFollowing);
+  }
+  EXPECT_THROW((void)makeStrategy("nearest"), std::invalid_argument);
+}
+
+TEST(Tour, TakesWhatLiesOnTheWay) {
+  // The robot at 0; a stop at -1 and others at 2, 3, 4: the nearest first saves the way back.
+  const std::vector<double> at{0.0, 2.0, -1.0, 4.0, 3.0};
+  TravelMatrix travel(at.size(), std::vector<double>(at.size()));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      travel[i][k] = std::abs(at[i] - at[k]);
+    }
+  }
+  const auto tour = shortTour(travel);
+  EXPECT_THAT(tour, ElementsAre(0, 2, 1, 4, 3));
+  EXPECT_DOUBLE_EQ(lengthOf(tour, travel), 6.0);
+}
+
+TEST(Tour, OfOneStopOrNone) {
+  EXPECT_THAT(shortTour({{0.0}}), ElementsAre(0));
+  EXPECT_TRUE(shortTour({}).empty());
+}
+
+TEST(InformationGain, IsTheUnknownAreaInReachThatNoWallHides) {
+  const auto nothing = test::drawnMap({"???", "?.?", "???"}, 0.05);
+  EXPECT_NEAR(expectedGain(MapView(nothing), {0.075, 0.075}, 1.0), geometry::kPi, 0.2);
+  const auto closed = test::drawnMap({"###", "#.#", "###"}, 0.05);
+  EXPECT_EQ(expectedGain(MapView(closed), {0.075, 0.075}, 1.0), 0.0);
+}
+
+std::vector<std::string> hall() {
+  std::vector<std::string> rows(60, "#" + std::string(98, '.') + "#");
+  rows.front() = rows.back() = std::string(100, '#');
+  return rows;
+}
+
+TEST(WallFollower, KeepsTheWallAtItsSide) {
+  const auto map = test::drawnMap(hall(), 0.05);
+  const MapView view(map);
+  const StandingRoom room(view, 0.2);
+  WallFollower follower(0.0, 1);
+  geometry::Pose2 pose{1.0, 0.4, 0.0};  // the wall on the right
+  for (int i = 0; i < 60; ++i) {
+    const auto next = follower.next(room, pose);
+    ASSERT_TRUE(next);
+    EXPECT_TRUE(room.hasRoomAt(view.cellAt(next->translation())));
+    pose = *next;
+    const double to_wall = std::min(std::min(pose.x, 5.0 - pose.x), std::min(pose.y, 3.0 - pose.y));
+    EXPECT_LT(to_wall, 0.9) << i;
+  }
+}
+
+TEST(WallFollower, ChangesSidesByChance) {
+  const auto map = test::drawnMap(hall(), 0.05);
+  const MapView view(map);
+  const StandingRoom room(view, 0.2);
+  WallFollower same(0.0, 1);
+  WallFollower other(1.0, 1);
+  const geometry::Pose2 pose{2.5, 0.4, 0.0};
+  EXPECT_NEAR(same.next(room, pose)->y, pose.y, 0.2);
+  EXPECT_GT(other.next(room, pose)->y, pose.y + 0.3);
+}
+
+TEST(WallFollower, WithoutRoomThereIsNoStep) {
+  const auto map = test::drawnMap({"###", "#.#", "###"}, 0.05);
+  const MapView view(map);
+  const StandingRoom room(view, 0.2);
+  EXPECT_FALSE(WallFollower(0.0, 1).next(room, {0.075, 0.075, 0.0}));
+}
+
+}  // namespace
+}  // namespace omega_slam::exploration
