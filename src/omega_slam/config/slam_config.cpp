@@ -1,5 +1,6 @@
 #include "omega_slam/config/slam_config.h"
 
+#include "omega_slam/config/frame_name.h"
 #include "omega_slam/config/yaml_file.h"
 
 namespace omega_slam::config {
@@ -14,14 +15,6 @@ constexpr Range kRate{0.1, 1000.0};              // [Hz]
 constexpr Range kNoise{0.0, 10.0};               // standard deviation per unit of motion
 constexpr Range kCount{0.0, 1000.0};
 constexpr Range kPositiveCount{1.0, 1000.0};
-
-/// A frame is named without the leading '/' of tf1, which tf2 refuses.
-void readFrame(ParameterReader& reader, const std::string& key, std::string& frame) {
-  reader.read(key, frame);
-  if (frame.empty() || frame.front() == '/') {
-    reader.fault(key + " must be the name of a frame, without a leading '/'.");
-  }
-}
 
 void readLaserPose(ParameterReader& reader, std::vector<double>& laser_pose) {
   reader.read("laser_pose", laser_pose, {-kLength.max, kLength.max});

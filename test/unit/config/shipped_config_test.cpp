@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "omega_slam/config/exploration_config.h"
 #include "omega_slam/config/slam_config.h"
 #include "support/paths.h"
 
@@ -24,6 +25,7 @@ const ShippedSection kSections[] = {
     {"scan_matcher", "slam.yaml", "scan_matcher", readDefault<ScanMatcherNodeConfig>},
     {"graph_slam", "slam.yaml", "graph_slam", readDefault<GraphSlamNodeConfig>},
     {"map_builder", "slam.yaml", "map_builder", readDefault<MapBuilderNodeConfig>},
+    {"frontier_explorer", "exploration.yaml", "", readDefault<FrontierExplorerNodeConfig>},
 };
 
 class ShippedConfig : public testing::TestWithParam<ShippedSection> {};
