@@ -1,0 +1,278 @@
+#include "exploration/exploration_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "exploration/map_in_step.h"
+#include "exploration/thread_timer.h"
+#include "omega_slam/config/slam_config.h"
+#include "omega_slam/motion/odometry_buffer.h"
+#include "omega_slam/navigation/navigator.h"
+#include "omega_slam/simulation/turtlebot.h"
+
+namespace omega_slam::experiments {
+namespace {
+
+using exploration::Order;
+using exploration::Phase;
+using geometry::Pose2;
+
+constexpr double kDriveInterval = 0.1;    // [s] between commands
+constexpr double kExploreInterval = 0.2;  // [s] between looks at what has happened
+constexpr double kSampleInterval = 2.0;   // [s]
+
+/// Everything that is alive during a run.
+class Run {
+ public:
+  explicit Run(const RunSetup& setup)
+      : setup_(setup),
+        robot_config_(robotConfig(setup)),
+        robot_(setup.world, setup.T_world_start, robot_config_),
+        pipeline_(config::pipelineConfig(config_)),
+        intake_(config_.scan_matcher.intake),
+        map_(config_.map_builder.mapper),
+        explorer_(setup.explorer),
+        navigator_({}, {robot_config_.kobuki.radius, robot_config_.kobuki.radius}) {
+    odometry_.add(robot_.time(), {});
+    truth_.add(robot_.time(), setup.T_world_start);
+    (void)explorer_.start();
+  }
+
+  RunOutcome run() {
+    const double start = robot_.time();
+    while (explorer_.phase() != Phase::kEnded && robot_.time() - start < setup_.patience) {
+      step();
+    }
+    sample();
+    outcome_.ended = explorer_.phase() == Phase::kEnded;
+    outcome_.ending = explorer_.ending();
+    outcome_.reason = explorer_.reason();
+    outcome_.end = outcome_.samples.back();
+    outcome_.from_home = distance(robot_.truth().T_world_base, setup_.T_world_start);
+    outcome_.map = map_.render();
+    return std::move(outcome_);
+  }
+
+ private:
+  static simulation::TurtleBotConfig robotConfig(const RunSetup& setup) {
+    simulation::TurtleBotConfig config;
+    config.seed = setup.seed;
+    return config;
+  }
+
+  void step() {
+    const simulation::TurtleBotEvents events = robot_.step();
+    odometry_.add(events.odometry.stamp, events.odometry.T_odom_base);
+    truth_.add(events.truth.stamp, events.truth.T_world_base);
+    velocity_ = events.odometry.velocity;
+    bumper_ = events.bumper.value_or(bumper_);
+    trackTruth(events.truth.T_world_base);
+    while (outcome_.collisions < robot_.collisions()) {
+      ++outcome_.collisions;
+      outcome_.unseen += touchesUnseen(events.truth.T_world_base.translation()) ? 1 : 0;
+    }
+    if (events.scan) {
+      takeScan(*events.scan);
+    }
+    if (isDue(next_map_, config_.map_builder.update_interval)) {
+      drawMap();
+    }
+    if (isDue(next_look_, kExploreInterval)) {
+      const ThreadTimer timer(outcome_.explorer_cpu);
+      obey(explorer_.update(robot_.time(), pose()));
+    }
+    if (isDue(next_drive_, kDriveInterval)) {
+      drive();
+    }
+    if (isDue(next_sample_, kSampleInterval)) {
+      sample();
+    }
+  }
+
+  bool isDue(double& next, double interval) const {
+    if (robot_.time() < next) {
+      return false;
+    }
+    next = robot_.time() + interval - 1e-9;
+    return true;
+  }
+
+  void trackTruth(const Pose2& T_world_base) {
+    if (outcome_.path.empty()) {
+      outcome_.path.push_back(T_world_base.translation());
+    }
+    const double step = (T_world_base.translation() - outcome_.path.back()).norm();
+    if (step > 0.05) {
+      outcome_.path.push_back(T_world_base.translation());
+      driven_ += step;
+    }
+  }
+
+  /// Whether what the robot touches is no plain wall.
+  [[nodiscard]] bool touchesUnseen(const Eigen::Vector2d& position) const {
+    const grid::GridGeometry& geometry = setup_.world->geometry();
+    const auto contact =
+        setup_.world->nearestObstacle(position, robot_config_.kobuki.radius + 0.05);
+    if (!contact) {
+      return false;
+    }
+    const Eigen::Vector2d inside = *contact + 0.01 * (*contact - position).normalized();
+    const simulation::Material material = setup_.world->at(geometry.cellAt(inside));
+    return material == simulation::Material::kGlass || material == simulation::Material::kDark;
+  }
+
+  void takeScan(const sensing::LaserScan& scan) {
+    const Pose2 T_odom_base = odometry_.at(scan.stamp).value();
+    const double last_beam =
+        scan.stamp + scan.time_increment * static_cast<double>(scan.ranges.size() - 1);
+    const Pose2 during =
+        relativePose(T_odom_base, odometry_.at(std::min(last_beam, robot_.time())).value());
+    const sensing::LaserMount mount{robot_config_.T_base_laser, false};
+    (void)pipeline_.process(scan, mount, T_odom_base, during);
+    if (pipeline_.keyframes().size() == 1 && !T_world_map_) {
+      T_world_map_ = truth_.at(scan.stamp).value();
+    }
+    const auto taken = intake_.process(scan, mount, during);
+    if (taken.sweep && mapFromOdom()) {
+      const ThreadTimer timer(outcome_.navigator_cpu);
+      navigator_.see(sightingOf(*taken.sweep), *mapFromOdom() * T_odom_base);
+    }
+  }
+
+  static navigation::Sighting sightingOf(const sensing::Sweep& sweep) {
+    navigation::Sighting sighting;
+    sighting.stamp = sweep.stamp;
+    sighting.origin = sweep.T_base_laser.translation();
+    for (const sensing::Beam& beam : sweep.beams) {
+      if (beam.kind == sensing::BeamKind::kReturn) {
+        sighting.returns.push_back(beam.end);
+      } else if (beam.kind == sensing::BeamKind::kNoReturn) {
+        sighting.clear.push_back(beam.end);
+      }
+    }
+    return sighting;
+  }
+
+  /// As graph_slam publishes it.
+  [[nodiscard]] std::optional<Pose2> mapFromOdom() const {
+    if (pipeline_.keyframes().empty()) {
+      return std::nullopt;
+    }
+    const slam::Keyframe& newest = *pipeline_.keyframes().back();
+    return pipeline_.graph().poses[newest.id] * newest.T_odom_base.inverse();
+  }
+
+  [[nodiscard]] std::optional<Pose2> pose() const {
+    const auto T_map_odom = mapFromOdom();
+    if (!T_map_odom) {
+      return std::nullopt;
+    }
+    return *T_map_odom * odometry_.at(robot_.time()).value();
+  }
+
+  void drawMap() {
+    const MapInStep::Change change = map_.update(pipeline_);
+    if (!change.is_new) {
+      return;
+    }
+    newest_map_ = std::make_shared<const grid::OccupancyGrid>(map_.render());
+    {
+      const ThreadTimer timer(outcome_.navigator_cpu);
+      navigator_.setMap(*newest_map_);
+    }
+    const ThreadTimer timer(outcome_.explorer_cpu);
+    explorer_.showMap(newest_map_, change.news, change.motion ? &*change.motion : nullptr);
+  }
+
+  void obey(const Order& order) {
+    if (order.kind == Order::Kind::kCancel) {
+      navigator_.cancel();
+      goal_.reset();
+    } else if (order.kind == Order::Kind::kGo) {
+      goal_ = order.goal.id;
+      const auto frontier = explorer_.frontiers().find(order.goal.frontier);
+      outcome_.goals.push_back(
+          {robot_.time() - robot_config_.start_time, order.goal.T_map_base,
+           frontier == explorer_.frontiers().end() ? 0.0 : frontier->second.size, "dropped"});
+      navigator_.setGoal({order.goal.T_map_base.translation(), order.goal.T_map_base.theta},
+                         robot_.time());
+    }
+    if (explorer_.phase() == Phase::kReturning && outcome_.explored_time == 0.0) {
+      outcome_.explored_time = robot_.time() - robot_config_.start_time;
+      outcome_.explored_distance = driven_;
+    }
+  }
+
+  /// Where kobuki's bumpers are, in the base frame [m].
+  [[nodiscard]] std::vector<Eigen::Vector2d> contactsOf(const simulation::Bumper& bumper) const {
+    constexpr double kSide = 0.9;  // [rad] from the middle to a side switch
+    std::vector<Eigen::Vector2d> contacts;
+    const auto add = [&](bool pressed, double angle) {
+      if (pressed) {
+        contacts.push_back(robot_config_.kobuki.radius *
+                           Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      }
+    };
+    add(bumper.left, kSide);
+    add(bumper.centre, 0.0);
+    add(bumper.right, -kSide);
+    return contacts;
+  }
+
+  void drive() {
+    const ThreadTimer timer(outcome_.navigator_cpu);
+    if (bumper_.any()) {
+      navigator_.touch(contactsOf(bumper_), robot_.time());
+    }
+    const auto T_map_base = pose();
+    const auto step = navigator_.step(
+        robot_.time(),
+        T_map_base ? std::optional<geometry::StampedPose2>({robot_.time(), *T_map_base})
+                   : std::nullopt,
+        velocity_);
+    (void)robot_.command(step.velocity);
+    const bool reached = step.state == navigation::NavigationState::kReached;
+    if (goal_ && (reached || step.state == navigation::NavigationState::kFailed)) {
+      outcome_.goals.back().fate = reached ? "reached" : step.reason;
+      explorer_.goalEnded(*goal_, reached);
+      goal_.reset();
+    }
+  }
+
+  void sample() {
+    const double coverage = newest_map_ && T_world_map_ && setup_.seeable != nullptr
+                                ? setup_.seeable->knownShare(*newest_map_, *T_world_map_)
+                                : 0.0;
+    outcome_.samples.push_back({robot_.time() - robot_config_.start_time, driven_, coverage});
+  }
+
+  const RunSetup& setup_;
+  const config::SlamConfig config_;
+  const simulation::TurtleBotConfig robot_config_;
+  simulation::TurtleBot robot_;
+  slam::Pipeline pipeline_;
+  sensing::ScanIntake intake_;
+  MapInStep map_;
+  exploration::Explorer explorer_;
+  navigation::Navigator navigator_;
+  motion::OdometryBuffer odometry_{2.0};
+  motion::OdometryBuffer truth_{2.0};
+  motion::Twist2 velocity_;
+  simulation::Bumper bumper_;
+  std::optional<Pose2> T_world_map_;
+  std::shared_ptr<const grid::OccupancyGrid> newest_map_;
+  std::optional<std::uint64_t> goal_;
+  double driven_{0.0};
+  double next_map_{0.0};
+  double next_look_{0.0};
+  double next_drive_{0.0};
+  double next_sample_{0.0};
+  RunOutcome outcome_;
+};
+
+}  // namespace
+
+RunOutcome explore(const RunSetup& setup) { return Run(setup).run(); }
+
+}  // namespace omega_slam::experiments

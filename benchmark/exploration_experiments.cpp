@@ -1,0 +1,173 @@
+// Explorations of a world by strategy and seed, in one process. scripts/experiments runs it for
+// each world.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/csv_file.h"
+#include "exploration/exploration_run.h"
+#include "omega_slam/exploration/strategy_factory.h"
+#include "omega_slam/geometry/angle.h"
+#include "omega_slam/simulation/turtlebot.h"
+#include "omega_slam/simulation/world_file.h"
+
+namespace omega_slam::experiments {
+namespace {
+
+struct Arguments {
+  std::string world;
+  std::string name;
+  std::vector<std::string> strategies{exploration::strategyNames()};
+  int seeds{1};
+  int first_seed{1};
+  double patience{3600.0};
+  bool random_starts{false};
+  std::string out;
+};
+
+void declare(CLI::App& app, Arguments& arguments) {
+  app.add_option("WORLD", arguments.world, "a world file, or a map_server map")->required();
+  app.add_option("--name", arguments.name, "of the world; default: that of its file");
+  app.add_option("--strategies", arguments.strategies)
+      ->check(CLI::IsMember(exploration::strategyNames()))
+      ->delimiter(',');
+  app.add_option("--seeds", arguments.seeds, "runs of each strategy")->capture_default_str();
+  app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
+  app.add_option("--patience", arguments.patience, "[s] simulated, of a run")
+      ->capture_default_str();
+  app.add_flag("--random-starts", arguments.random_starts, "begin elsewhere with each seed");
+  app.add_option("--out", arguments.out, "folder for the tables and pictures")->required();
+}
+
+struct Place {
+  std::shared_ptr<const simulation::World> world;
+  geometry::Pose2 start;
+};
+
+/// A map without a world file has no start; the robot then begins in the middle of it.
+Place loadPlace(const std::string& path) {
+  if (path.size() > 11 && path.substr(path.size() - 11) == ".world.yaml") {
+    const simulation::LoadedWorld loaded = simulation::loadWorld(path);
+    return {loaded.world, loaded.file.start};
+  }
+  auto world = std::make_shared<const simulation::World>(
+      simulation::World::fromImage(grid::loadMapImage(path)));
+  const grid::GridGeometry& geometry = world->geometry();
+  const Eigen::Vector2d middle = geometry.center({geometry.width / 2, geometry.height / 2});
+  return {world, {middle.x(), middle.y(), 0.0}};
+}
+
+/// Anywhere that a robot has room and can see enough.
+geometry::Pose2 randomStart(const Place& place, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const Seeable all(*place.world, place.start.translation(), 0.177, 4.0);
+  std::uniform_int_distribution<std::size_t> cell(0, all.cells().size() - 1);
+  std::uniform_real_distribution<double> heading(-geometry::kPi, geometry::kPi);
+  for (int attempt = 0; attempt < 10000; ++attempt) {
+    const Eigen::Vector2d point = all.cells()[cell(random)];
+    if (!place.world->nearestObstacle(point, 0.3)) {
+      return {point.x(), point.y(), heading(random)};
+    }
+  }
+  return place.start;
+}
+
+class Tables {
+ public:
+  explicit Tables(const std::filesystem::path& folder, const std::string& world)
+      : runs_(folder / ("runs_" + world + ".csv"),
+              "world,strategy,seed,ended,ending,time,distance,explored_time,explored_distance,"
+              "coverage,from_home,collisions,unseen,goals,explorer_cpu,navigator_cpu,area"),
+        samples_(folder / ("coverage_" + world + ".csv"), "strategy,seed,time,distance,coverage"),
+        paths_(folder / ("paths_" + world + ".csv"), "strategy,seed,x,y"),
+        goals_(folder / ("goals_" + world + ".csv"), "strategy,seed,time,x,y,size,fate") {}
+
+  void add(const std::string& world, const std::string& strategy, int seed, double area,
+           const RunOutcome& run) {
+    const auto number = static_cast<std::size_t>(seed);
+    runs_.row(std::string_view(world), std::string_view(strategy), number,
+              std::size_t{run.ended ? 1U : 0U}, std::string_view(toString(run.ending)),
+              run.end.time, run.end.distance, run.explored_time, run.explored_distance,
+              run.end.coverage, run.from_home, static_cast<std::size_t>(run.collisions),
+              static_cast<std::size_t>(run.unseen), run.goals.size(), run.explorer_cpu,
+              run.navigator_cpu, area);
+    for (const RunSample& sample : run.samples) {
+      samples_.row(std::string_view(strategy), number, sample.time, sample.distance,
+                   sample.coverage);
+    }
+    for (const RunGoal& goal : run.goals) {
+      goals_.row(std::string_view(strategy), number, goal.time, goal.T_map_base.x,
+                 goal.T_map_base.y, goal.size, std::string_view('"' + goal.fate + '"'));
+    }
+    for (const Eigen::Vector2d& point : run.path) {
+      paths_.row(std::string_view(strategy), number, point.x(), point.y());
+    }
+  }
+
+ private:
+  CsvFile runs_;
+  CsvFile samples_;
+  CsvFile paths_;
+  CsvFile goals_;
+};
+
+void run(const Arguments& arguments) {
+  const Place place = loadPlace(arguments.world);
+  const std::string name = arguments.name.empty()
+                               ? std::filesystem::path(arguments.world).stem().stem().string()
+                               : arguments.name;
+  std::filesystem::create_directories(arguments.out);
+  const double radius = simulation::KobukiConfig().radius;
+  const double range = simulation::HokuyoConfig().range_max;
+  const Seeable seeable(*place.world, place.start.translation(), radius, range);
+  Tables tables(arguments.out, name);
+  for (int seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
+    for (const std::string& strategy : arguments.strategies) {
+      RunSetup setup{place.world,       &seeable, place.start, {}, static_cast<std::uint64_t>(seed),
+                     arguments.patience};
+      setup.explorer.strategy = strategy;
+      setup.explorer.seed = seed;
+      if (arguments.random_starts) {
+        setup.T_world_start = randomStart(place, setup.seed);
+      }
+      const RunOutcome outcome = explore(setup);
+      tables.add(name, strategy, seed, seeable.area(), outcome);
+      const std::string stem = fmt::format("{}_{}_{}", name, strategy, seed);
+      (void)grid::saveMap(outcome.map, std::filesystem::path(arguments.out) / "maps" / stem);
+      fmt::print(
+          "{} {} {}: {} {:.0f} s, {:.1f} m, {:.2f} % seen, home {:.2f} m, {} collisions, {} of "
+          "them unseen. {}\n",
+          name, strategy, seed, toString(outcome.ending), outcome.end.time, outcome.end.distance,
+          100.0 * outcome.end.coverage, outcome.from_home, outcome.collisions, outcome.unseen,
+          outcome.reason);
+      std::fflush(stdout);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace omega_slam::experiments
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Lets a simulated robot explore a world by each strategy and seed, and writes tables (CSV) "
+      "and maps of all runs; scripts/experiments runs it for all worlds.");
+  omega_slam::experiments::Arguments arguments;
+  omega_slam::experiments::declare(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    omega_slam::experiments::run(arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "exploration_experiments: {}\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

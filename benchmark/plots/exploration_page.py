@@ -1,0 +1,80 @@
+"""The tables of docs/experiments/exploration.md."""
+from exploration_tables import STRATEGIES, isDone, meanOf, strategiesOf
+from page import markdownTable, percent
+
+COVERED = 0.99     # of what can be seen
+AT_HOME = 0.5      # [m]
+PAPER = {'nearest_to_robot': 680.0, 'nearest_to_origin': 1400.0}  # [s]
+
+
+def runSection(results):
+    """What the page is of, in a sentence."""
+    if not results.has('run') or not results.worlds():
+        return None
+    run = results.table('run')[0]
+    rows = results.runs()
+    return (f'This page: {len(rows)} runs, on {run["date"]}, on a busy machine with '
+            f'{run["processors"]:.0f} processors "{run["processor"]}", {run["compiler"]}, '
+            'RelWithDebInfo.\n')
+
+
+def strategiesSection(results):
+    table = []
+    for world in results.worlds():
+        nearest = results.runs(world, 'nearest_to_robot')
+        for strategy in strategiesOf(results.runs(world)):
+            rows = results.runs(world, strategy)
+            ratio = meanOf(rows, 'time') / meanOf(nearest, 'time') if nearest else None
+            table.append([
+                world, STRATEGIES[strategy][0], len(rows), f'{meanOf(rows, "explored_time"):.0f}',
+                f'{meanOf(rows, "explored_distance"):.0f}', f'{meanOf(rows, "time"):.0f}',
+                f'{meanOf(rows, "distance"):.0f}', percent(meanOf(rows, 'coverage'), 2),
+                '-' if ratio is None else f'{ratio:.2f}',
+                f'{PAPER[strategy]:.0f}' if world == 'swarmlab' and strategy in PAPER else ''])
+    return table and markdownTable(
+        ['world', 'strategy', 'runs', 'explored (s)', 'explored (m)', 'home again (s)',
+         'home again (m)', 'coverage', 'time to nearest to robot', 'paper (s)'], table)
+
+
+def robustnessSection(results):
+    table = []
+    for world in results.worlds():
+        rows = results.runs(world)
+        table.append([
+            world, len(rows), sum(map(isDone, rows)),
+            sum(row['coverage'] >= COVERED for row in rows),
+            percent(min(row['coverage'] for row in rows), 2),
+            sum(row['from_home'] <= AT_HOME for row in rows),
+            sum(row['collisions'] == 0 for row in rows),
+            sum(int(row['collisions']) for row in rows)])
+    return table and markdownTable(
+        ['world', 'runs', 'done', 'coverage >= 99 %', 'least coverage', 'home within 0.5 m',
+         'without a collision', 'collisions in all'], table)
+
+
+def processorSection(results):
+    table = []
+    for world in results.worlds():
+        rows = results.runs(world)
+        time = sum(row['time'] for row in rows)
+        shares = [sum(row[key] for row in rows) / time for key in ('explorer_cpu', 'navigator_cpu')]
+        table.append([world, percent(shares[0], 2), percent(shares[1], 2), percent(sum(shares), 2)])
+    return table and markdownTable(
+        ['world', 'explorer', 'navigator', 'both, of a core at real time'], table)
+
+
+def detectorsSection(results):
+    if not results.has('detectors'):
+        return None
+    table = [[f'{row["size"]:.0f} x {row["size"]:.0f}', f'{row["wavefront"]:.2f}',
+              f'{row["everything"]:.2f}', f'{row["fast"]:.3f}']
+             for row in results.table('detectors')]
+    return markdownTable(['cells', 'wavefront (ms)', 'everything (ms)', 'fast, a sweep (ms)'], table)
+
+
+def sectionsOf(results):
+    """Name in the page -> table."""
+    sections = {'run': runSection(results), 'strategies': strategiesSection(results),
+                'robustness': robustnessSection(results), 'processor': processorSection(results),
+                'detectors': detectorsSection(results)}
+    return {name: text for name, text in sections.items() if text}
