@@ -15,6 +15,9 @@ using graph::NodeId;
 
 namespace {
 
+/// By which factor the squared error of a loop that was let be must grow to call for a new doubt.
+constexpr double kWorse = 2.0;
+
 /// First guess of a node's pose: by the constraint that says most of it.
 Pose2 placeByBest(const graph::PoseGraph& graph, NodeId node,
                   const std::vector<Constraint>& constraints) {
@@ -87,20 +90,30 @@ const graph::SolveReport& BackEnd::solve() {
   report_ = solver_.finish();
   if (isAnyLoopFarOff()) {
     doubtLoops();
+    letBe();
   }
   return report_;
 }
 
 bool BackEnd::isAnyLoopFarOff() const {
+  const auto& constraints = graph().constraints;
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    if (constraints[k].kind == graph::ConstraintKind::kLoop &&
+        graph::chiSquare(graph(), constraints[k]) > limitOf(k)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+double BackEnd::limitOf(std::size_t k) const {
   const double gate = config_.doubt.gate * config_.doubt.gate;
-  return std::any_of(graph().constraints.begin(), graph().constraints.end(),
-                     [&](const Constraint& constraint) {
-                       return constraint.kind == graph::ConstraintKind::kLoop &&
-                              graph::chiSquare(graph(), constraint) > gate;
-                     });
+  const double let_be = k < let_be_.size() ? let_be_[k] : 0.0;
+  return let_be > gate ? kWorse * let_be : gate;
 }
 
 void BackEnd::doubtLoops() {
+  ++doubts_;
   graph::PoseGraph all = graph();
   all.constraints.insert(all.constraints.end(), withdrawn_.begin(), withdrawn_.end());
   const graph::RobustReport doubt = graph::solveWithDoubtfulLoops(all, config_.doubt);
@@ -118,6 +131,13 @@ void BackEnd::doubtLoops() {
   }
   all.constraints = std::move(kept);
   report_ = solver_.resume(std::move(all));
+}
+
+void BackEnd::letBe() {
+  let_be_.clear();
+  for (const Constraint& constraint : graph().constraints) {
+    let_be_.push_back(graph::chiSquare(graph(), constraint));
+  }
 }
 
 Pose2 BackEnd::mapFromOdometry() const {

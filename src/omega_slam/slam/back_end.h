@@ -27,8 +27,8 @@ struct BackEndConfig {
 /// Loops may be false. As long as no loop lies far off once the graph is solved, nothing speaks
 /// against any. Else those that the rest contradicts are withdrawn (graph/robust_loops.h), and come
 /// back if the next doubt finds them right. What would fit by accident stays: the front end has
-/// gates of its own.
-/// Not thread-safe: one owner calls it.
+/// gates of its own. A loop that was let be, far off though it is, calls for no other doubt until
+/// it has got much worse: the answer would be the same. Not thread-safe: one owner calls it.
 class BackEnd {
  public:
   explicit BackEnd(const BackEndConfig& config = {});  ///< @throws std::invalid_argument
@@ -54,6 +54,8 @@ class BackEnd {
   /// Loops that the rest contradicts; they are no part of the graph.
   [[nodiscard]] const std::vector<graph::Constraint>& withdrawn() const { return withdrawn_; }
 
+  [[nodiscard]] std::size_t doubts() const { return doubts_; }  ///< times that all were doubted
+
   /// `T_map_odom = T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is
   /// none.
   [[nodiscard]] geometry::Pose2 mapFromOdometry() const;
@@ -62,13 +64,19 @@ class BackEnd {
 
  private:
   [[nodiscard]] bool isAnyLoopFarOff() const;
+  /// Squared error beyond which a loop calls for a doubt. @param k index of the constraint
+  [[nodiscard]] double limitOf(std::size_t k) const;
   void doubtLoops();
+  void letBe();
 
   BackEndConfig config_;
   graph::IncrementalSolver solver_;
   geometry::Pose2 T_odom_newest_;
   graph::SolveReport report_;
   std::vector<graph::Constraint> withdrawn_;
+  std::size_t doubts_{0};
+  /// Squared errors of the constraints after the last doubt; those that came since are not in it.
+  std::vector<double> let_be_;
 };
 
 }  // namespace omega_slam::slam

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "omega_slam/graph/linearization.h"
 #include "support/false_loops.h"
 #include "support/poses.h"
 
@@ -154,6 +156,30 @@ TEST(BackEnd, WithdrawnLoopComesBackWhenMoreIsKnown) {
   EXPECT_EQ(back_end.addConstraints(others), "");
   EXPECT_EQ(back_end.withdrawn().size(), 3U);
   EXPECT_EQ(back_end.graph().constraints.size(), problem.truth.size() - 1 + others.size() + 1);
+}
+
+/// Where covariances are too small, loops stay that lie far off and that nothing contradicts.
+TEST(BackEnd, LoopThatWasLetBeIsNotDoubtedAgain) {
+  std::mt19937_64 random(3);
+  test::RoundsConfig rounds;
+  rounds.confidence = 10.0;
+  BackEnd back_end = play(test::drivenRounds(rounds, random).graph);
+  const graph::PoseGraph& graph = back_end.graph();
+  const double gate = std::pow(BackEndConfig{}.doubt.gate, 2.0);
+  const auto far_off =
+      std::count_if(graph.constraints.begin(), graph.constraints.end(), [&](const Constraint& c) {
+        return c.kind == ConstraintKind::kLoop && graph::chiSquare(graph, c) > gate;
+      });
+  ASSERT_GT(far_off, 0);
+  const std::size_t doubts = back_end.doubts();
+  back_end.solve();
+  EXPECT_EQ(back_end.doubts(), doubts);
+  Constraint lie = graph.constraints.back();  // while one that is new is doubted
+  lie.T_from_to = lie.T_from_to * Pose2{3.0, 0.0, 0.0};
+  EXPECT_EQ(back_end.addConstraints({lie}), "");
+  EXPECT_EQ(back_end.doubts(), doubts + 1);
+  EXPECT_TRUE(std::any_of(back_end.withdrawn().begin(), back_end.withdrawn().end(),
+                          [&](const Constraint& c) { return c.T_from_to.x == lie.T_from_to.x; }));
 }
 
 TEST(BackEnd, ResetForgetsAll) {
