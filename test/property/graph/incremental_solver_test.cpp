@@ -38,7 +38,21 @@ void play(const PoseGraph& graph, IncrementalSolver& solver) {
   }
 }
 
-TEST(IncrementalSolverLaws, IsNearTheMinimumAllTheWayAndAtItInTheEnd) {
+/// chi-square after a graph was played, over the least.
+double excessAfter(const PoseGraph& graph, const IncrementalConfig& config) {
+  IncrementalSolver solver(config);
+  play(graph, solver);
+  const double on_the_way = chiSquare(solver.graph());
+  PoseGraph rested = solver.graph();
+  const double least = solve(rested, config.solver).chi_square;
+  EXPECT_NEAR(solver.finish().chi_square, least, 1e-4 * least);
+  return on_the_way / least;
+}
+
+/// How near is for the limits on stale Jacobians to say: without batch steps for new nodes, these
+/// walks, ten times as noisy as a robot's, are off by up to 63 % at the limits by default, and by
+/// 0.05 % at a fifth of max_turn (the worst of 100 seeds).
+TEST(IncrementalSolverLaws, IsAsNearTheMinimumAsItsLimitsSayAndAtItInTheEnd) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
@@ -46,12 +60,9 @@ TEST(IncrementalSolverLaws, IsNearTheMinimumAllTheWayAndAtItInTheEnd) {
     for (const int batch_nodes : {1, 7, 1000}) {
       IncrementalConfig config = plain();
       config.batch_nodes = batch_nodes;
-      IncrementalSolver solver(config);
-      play(graph, solver);
-      PoseGraph rested = solver.graph();
-      const double least = solve(rested, config.solver).chi_square;
-      EXPECT_LT(chiSquare(solver.graph()), 1.2 * least);
-      EXPECT_NEAR(solver.finish().chi_square, least, 1e-4 * least);
+      EXPECT_LT(excessAfter(graph, config), batch_nodes < 10 ? 1.3 : 2.0);
+      config.max_turn = 0.02;
+      EXPECT_LT(excessAfter(graph, config), 1.002);
     }
   }
 }
