@@ -87,7 +87,7 @@ class GraphSlamNode {
 
   /// In the worker's thread.
   void publish(const GraphSnapshot& snapshot) {
-    PoseGraph message = poseGraphToRos(snapshot.graph, snapshot.stamps);
+    PoseGraph message = poseGraphToRos(snapshot.graph, snapshot.stamps, snapshot.beliefs);
     message.header.frame_id = config_.map_frame;
     message.header.stamp = snapshot.stamps.empty() ? ros::Time(0) : snapshot.stamps.back();
     message.run = snapshot.run;

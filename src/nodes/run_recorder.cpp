@@ -161,8 +161,10 @@ void RunRecorder::onKeyframe(const Keyframe::ConstPtr& message) {
 
 void RunRecorder::onPoseGraph(const PoseGraph::ConstPtr& message) {
   auto reading = poseGraphFromRos(*message);
-  if (!reading.value) {
-    ROS_WARN_THROTTLE(5.0, "A pose graph was not recorded: %s.", reading.fault.c_str());
+  auto beliefs = beliefsFromRos(*message);
+  if (!reading.value || !beliefs.value) {
+    const std::string& fault = reading.value ? beliefs.fault : reading.fault;
+    ROS_WARN_THROTTLE(5.0, "A pose graph was not recorded: %s.", fault.c_str());
     return;
   }
   std::vector<double> stamps;
@@ -170,7 +172,7 @@ void RunRecorder::onPoseGraph(const PoseGraph::ConstPtr& message) {
   for (const ros::Time& stamp : message->stamps) {
     stamps.push_back(stamp.toSec());
   }
-  record_.setGraph(std::move(*reading.value), std::move(stamps));
+  record_.setGraph(std::move(*reading.value), std::move(stamps), std::move(*beliefs.value));
   delays_.end(kToGraph, message->header.stamp.toNSec(), wallTime());
 }
 

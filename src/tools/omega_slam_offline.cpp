@@ -158,10 +158,8 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   report.distance = evaluation::pathLength(results.estimate);
   report.scans = account.scans;
   report.keyframes = account.keyframes;
-  report.loops = evaluation::loopFigures(pipeline.graph(), solved.weights);
-  for (const graph::Constraint& loop : pipeline.withdrawnLoops()) {
-    report.loops->push_back(evaluation::withdrawnFigures(pipeline.graph(), loop));
-  }
+  report.loops =
+      evaluation::loopFigures(pipeline.graph(), solved.weights, pipeline.withdrawnLoops());
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
   if (account.untrusted > 0) {

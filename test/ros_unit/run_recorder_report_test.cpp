@@ -95,6 +95,23 @@ TEST(RunReportTest, RejectedScansAndRefusedInputsAreTold) {
   EXPECT_THAT(formatClosing(report, done()), HasSubstr("4 rejected"));
 }
 
+TEST(RunReportTest, LoopsHaveTheirWeightsAndTheWithdrawnOnesNone) {
+  RunRecord record = drive();
+  graph::PoseGraph graph = record.graph();
+  graph::Constraint loop;
+  loop.to = 4;
+  loop.kind = graph::ConstraintKind::kLoop;
+  graph.constraints = {loop};
+  record.setGraph(graph, record.graphStamps(), {{0.25}, {loop, loop}});
+  const auto report = makeReport(record, done(), {}, std::nullopt);
+  ASSERT_EQ(report.loops->size(), 3U);
+  EXPECT_EQ(report.loops->front().weight, 0.25);
+  EXPECT_EQ(report.loops->back().weight, 0.0);
+  EXPECT_EQ(report.loops->back().residual_translation, 4.0);
+  EXPECT_THAT(report.notes, Contains(HasSubstr("2 loops were withdrawn")));
+  EXPECT_THAT(formatClosing(report, done()), HasSubstr("1 loops"));
+}
+
 TEST(RunReportTest, TheClosingLinesHoldTheMainFigures) {
   const auto report = makeReport(drive(), done(), {}, std::nullopt);
   const std::string closing = formatClosing(report, done());

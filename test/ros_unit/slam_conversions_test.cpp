@@ -158,5 +158,40 @@ TEST(SlamConversions, FaultyPoseGraphsAreRefusedWithTheReason) {
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.constraints[0].to_id = 2; }), "");
 }
 
+TEST(SlamConversions, BeliefsSurviveTheRoundTrip) {
+  graph::PoseGraph graph;
+  graph.poses.resize(3);
+  graph.constraints.resize(2);
+  graph.constraints[0].to = 1;
+  graph.constraints[1].to = 2;
+  slam::BeliefAccount beliefs{{1.0, 0.25}, {graph.constraints[1]}};
+  beliefs.withdrawn[0].kind = graph::ConstraintKind::kLoop;
+  const std::vector<ros::Time> stamps(3);
+  const auto read = beliefsFromRos(poseGraphToRos(graph, stamps, beliefs));
+  ASSERT_TRUE(read.value) << read.fault;
+  EXPECT_EQ(read.value->weights, beliefs.weights);
+  ASSERT_EQ(read.value->withdrawn.size(), 1U);
+  EXPECT_EQ(read.value->withdrawn[0].to, 2U);
+  EXPECT_EQ(beliefsFromRos(poseGraphToRos(graph, stamps)).fault, "") << "nobody need know";
+}
+
+TEST(SlamConversions, FaultyBeliefsAreRefusedWithTheReason) {
+  graph::PoseGraph graph;
+  graph.poses.resize(2);
+  graph.constraints.resize(1);
+  graph.constraints[0].to = 1;
+  const auto faultAfter = [&](auto spoil) {
+    PoseGraph message =
+        poseGraphToRos(graph, std::vector<ros::Time>(2), {{0.5}, {graph.constraints[0]}});
+    spoil(message);
+    return beliefsFromRos(message).fault;
+  };
+  EXPECT_EQ(faultAfter([](PoseGraph&) {}), "");
+  EXPECT_NE(faultAfter([](PoseGraph& m) { m.weights.push_back(0.5); }), "");
+  EXPECT_NE(faultAfter([](PoseGraph& m) { m.weights[0] = kNan; }), "");
+  EXPECT_NE(faultAfter([](PoseGraph& m) { m.weights[0] = 1.5; }), "");
+  EXPECT_NE(faultAfter([](PoseGraph& m) { m.withdrawn[0].to_id = 2; }), "");
+}
+
 }  // namespace
 }  // namespace omega_slam

@@ -112,6 +112,11 @@ class GraphSlamTest(NodeTest):
         self.assertGreater(home.y, 0.05)
         self.assertLess(home.y, 0.4)
         self.assertGreater(graph.chi_square, 0.0)
+        self.assertEqual(graph.weights[:4], (1.0,) * 4)
+        loop = graph.constraints[4]
+        self.assertEqual((loop.from_id, loop.to_id, loop.kind), (0, 4, Constraint.LOOP))
+        self.assertGreater(graph.weights[4], 0.0)
+        self.assertEqual(graph.withdrawn, [])
         self.assertLess(Pose.of(graph.poses[0]).distance(Pose()), 1e-9)
 
     def testKeyframesAndConstraintsMayComeInAnyOrderAndTwice(self):

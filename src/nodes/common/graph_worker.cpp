@@ -144,6 +144,7 @@ void GraphWorker::share(std::uint64_t run) {
   snapshot->stamps = assembler_.stamps();
   snapshot->T_map_odom = back_end_.mapFromOdometry();
   snapshot->chi_square = graph::chiSquare(snapshot->graph);
+  snapshot->beliefs = back_end_.beliefs();
   diagnostics_.set("keyframes", static_cast<double>(snapshot->graph.poses.size()));
   diagnostics_.set("constraints", static_cast<double>(snapshot->graph.constraints.size()));
   diagnostics_.set("chi-square", snapshot->chi_square);

@@ -27,6 +27,7 @@ struct GraphSnapshot {
   std::vector<ros::Time> stamps;  ///< of the keyframes
   geometry::Pose2 T_map_odom;     ///< at the newest keyframe; meaningless without keyframes
   double chi_square{0.0};         ///< of all constraints at these poses
+  slam::BeliefAccount beliefs;
 };
 
 using GraphSnapshotPtr = std::shared_ptr<const GraphSnapshot>;

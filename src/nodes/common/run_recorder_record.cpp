@@ -46,9 +46,11 @@ void RunRecord::addKeyframe(graph::NodeId id, double stamp) {
   keyframes_ = std::size_t{id} + 1;
 }
 
-void RunRecord::setGraph(graph::PoseGraph graph, std::vector<double> stamps) {
+void RunRecord::setGraph(graph::PoseGraph graph, std::vector<double> stamps,
+                         slam::BeliefAccount beliefs) {
   graph_ = std::move(graph);
   graph_stamps_ = std::move(stamps);
+  beliefs_ = std::move(beliefs);
 }
 
 void RunRecord::setMap(grid::OccupancyGrid map, double stamp) {

@@ -8,6 +8,7 @@
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/grid/occupancy_grid.h"
 #include "omega_slam/motion/odometry_buffer.h"
+#include "omega_slam/slam/back_end.h"
 
 namespace omega_slam {
 
@@ -21,7 +22,8 @@ class RunRecord {
   /// @param id of the keyframe in its run: 0, 1, 2, ...
   void addKeyframe(graph::NodeId id, double stamp);
   /// @param stamps [s] of the graph's nodes; as many as it has poses
-  void setGraph(graph::PoseGraph graph, std::vector<double> stamps);
+  void setGraph(graph::PoseGraph graph, std::vector<double> stamps,
+                slam::BeliefAccount beliefs = {});
   /// @param stamp [s] of the newest keyframe that is drawn
   void setMap(grid::OccupancyGrid map, double stamp);
   void clear() { *this = RunRecord(); }
@@ -38,6 +40,7 @@ class RunRecord {
   [[nodiscard]] std::optional<double> poseError(const geometry::StampedPose2& T_map_base) const;
 
   [[nodiscard]] const graph::PoseGraph& graph() const { return graph_; }
+  [[nodiscard]] const slam::BeliefAccount& beliefs() const { return beliefs_; }
   [[nodiscard]] const std::vector<double>& graphStamps() const { return graph_stamps_; }
   [[nodiscard]] const grid::OccupancyGrid& map() const { return map_; }
   [[nodiscard]] double mapStamp() const { return map_stamp_; }  ///< [s]; 0 while there is no map
@@ -56,6 +59,7 @@ class RunRecord {
   std::vector<double> scan_stamps_;
   std::size_t keyframes_{0};
   graph::PoseGraph graph_;
+  slam::BeliefAccount beliefs_;
   std::vector<double> graph_stamps_;
   grid::OccupancyGrid map_;
   double map_stamp_{0.0};

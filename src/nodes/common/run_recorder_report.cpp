@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 
@@ -38,6 +39,13 @@ void judgeMap(const RunRecord& record, const TrueWorld& world, evaluation::Repor
   }
 }
 
+/// Those that were withdrawn are listed, but not counted.
+std::ptrdiff_t loopsInForce(const evaluation::Report& report) {
+  const auto loops = report.loops.value_or(std::vector<evaluation::LoopFigures>{});
+  return std::count_if(loops.begin(), loops.end(),
+                       [](const evaluation::LoopFigures& loop) { return loop.weight != 0.0; });
+}
+
 void tellOfRefusals(const RunAccounts& accounts, evaluation::Report& report) {
   for (const auto& [node, figures] : accounts.nodes()) {
     if (node == kScanMatcher) {
@@ -67,7 +75,8 @@ evaluation::Report makeReport(const RunRecord& record, const RunEnding& ending,
   report.duration = record.elapsed();
   report.distance = record.distance();
   report.keyframes = record.graph().poses.size();
-  report.loops = evaluation::loopFigures(record.graph());
+  const slam::BeliefAccount& beliefs = record.beliefs();
+  report.loops = evaluation::loopFigures(record.graph(), beliefs.weights, beliefs.withdrawn);
   report.notes.push_back("The run ended: " + ending.reason + ".");
   if (!ending.settled) {
     report.notes.push_back("The map was saved before it had caught up with the newest scans.");
@@ -76,6 +85,10 @@ evaluation::Report makeReport(const RunRecord& record, const RunEnding& ending,
     report.notes.push_back("There is no map: none has been received.");
   } else {
     report.map = record.map().geometry;
+  }
+  if (!beliefs.withdrawn.empty()) {
+    report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
+                                       beliefs.withdrawn.size()));
   }
   judgeTrajectory(record, report);
   if (world) {
@@ -89,7 +102,7 @@ std::string formatClosing(const evaluation::Report& report, const RunEnding& end
   std::string text = fmt::format(
       "{}: {:.0f} s simulated in {:.0f} s, {:.1f} m driven, {} keyframes, {} loops.\n",
       ending.reason, report.duration.value_or(0.0), ending.wall_time, report.distance.value_or(0.0),
-      report.keyframes.value_or(0), report.loops ? report.loops->size() : 0);
+      report.keyframes.value_or(0), loopsInForce(report));
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   if (report.trajectory_error) {
     const auto& error = report.trajectory_error->translation;

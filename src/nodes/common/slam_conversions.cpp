@@ -29,6 +29,23 @@ std::string beamFault(const Keyframe& keyframe) {
   return {};
 }
 
+/// Constraints between the keyframes of a pose graph.
+Reading<std::vector<graph::Constraint>> constraintsWithin(const PoseGraph& graph,
+                                                          const std::vector<Constraint>& messages) {
+  std::vector<graph::Constraint> read;
+  for (const Constraint& message : messages) {
+    const auto constraint = constraintFromRos(message);
+    if (!constraint.value) {
+      return {std::nullopt, "pose graph: " + constraint.fault};
+    }
+    if (std::max(message.from_id, message.to_id) >= graph.poses.size()) {
+      return {std::nullopt, "pose graph has a constraint to a keyframe that it lacks"};
+    }
+    read.push_back(*constraint.value);
+  }
+  return {std::move(read), {}};
+}
+
 Eigen::Matrix3d informationOf(const Constraint& constraint) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
       constraint.information.data());
@@ -138,26 +155,39 @@ Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
     }
     read.poses.push_back(*pose);
   }
-  for (const Constraint& message : graph.constraints) {
-    const auto constraint = constraintFromRos(message);
-    if (!constraint.value) {
-      return {std::nullopt, "pose graph: " + constraint.fault};
-    }
-    if (std::max(message.from_id, message.to_id) >= read.poses.size()) {
-      return {std::nullopt, "pose graph has a constraint to a keyframe that it lacks"};
-    }
-    read.constraints.push_back(*constraint.value);
+  auto constraints = constraintsWithin(graph, graph.constraints);
+  if (!constraints.value) {
+    return {std::nullopt, std::move(constraints.fault)};
   }
+  read.constraints = std::move(*constraints.value);
   return {std::move(read), {}};
 }
 
-PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps) {
+Reading<slam::BeliefAccount> beliefsFromRos(const PoseGraph& graph) {
+  const auto is_weight = [](double weight) { return weight >= 0.0 && weight <= 1.0; };
+  if (!graph.weights.empty() && graph.weights.size() != graph.constraints.size()) {
+    return {std::nullopt, "pose graph has not as many weights as constraints"};
+  }
+  if (!std::all_of(graph.weights.begin(), graph.weights.end(), is_weight)) {
+    return {std::nullopt, "pose graph has a weight that is not within 0 and 1"};
+  }
+  auto withdrawn = constraintsWithin(graph, graph.withdrawn);
+  if (!withdrawn.value) {
+    return {std::nullopt, std::move(withdrawn.fault)};
+  }
+  return {slam::BeliefAccount{graph.weights, std::move(*withdrawn.value)}, {}};
+}
+
+PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps,
+                         const slam::BeliefAccount& beliefs) {
   PoseGraph message;
   for (const geometry::Pose2& pose : graph.poses) {
     message.poses.push_back(pose2ToRos(pose));
   }
   message.stamps = stamps;
   message.constraints = constraintsToRos(graph.constraints);
+  message.weights = beliefs.weights;
+  message.withdrawn = constraintsToRos(beliefs.withdrawn);
   return message;
 }
 

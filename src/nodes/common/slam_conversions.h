@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/slam/back_end.h"
 #include "omega_slam/slam/keyframe.h"
 
 /// Between the messages of this package and the library's types. Pure functions. Messages come from
@@ -42,6 +43,11 @@ struct Reading {
 [[nodiscard]] std::vector<Constraint> constraintsToRos(
     const std::vector<graph::Constraint>& constraints);
 
+/// What a pose graph says of how far its constraints are believed. Faults: weights that are not as
+/// many as the constraints (or none) or not within 0 and 1, withdrawn loops that are not sound or
+/// not between keyframes that it has.
+[[nodiscard]] Reading<slam::BeliefAccount> beliefsFromRos(const PoseGraph& graph);
+
 /// Faults: as many stamps as poses there must be, poses finite, constraints sound and between nodes
 /// that exist.
 [[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
@@ -49,6 +55,7 @@ struct Reading {
 /// Run and header are left to the caller. @param stamps of the keyframes, as many as there are
 /// poses
 [[nodiscard]] PoseGraph poseGraphToRos(const graph::PoseGraph& graph,
-                                       const std::vector<ros::Time>& stamps);
+                                       const std::vector<ros::Time>& stamps,
+                                       const slam::BeliefAccount& beliefs = {});
 
 }  // namespace omega_slam

@@ -114,7 +114,8 @@ LoopFigures figuresOf(const graph::PoseGraph& graph, const graph::Constraint& lo
 }  // namespace
 
 std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
-                                     const std::vector<double>& weights) {
+                                     const std::vector<double>& weights,
+                                     const std::vector<graph::Constraint>& withdrawn) {
   std::vector<LoopFigures> figures;
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     if (graph.constraints[k].kind == graph::ConstraintKind::kLoop) {
@@ -124,12 +125,10 @@ std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
       }
     }
   }
-  return figures;
-}
-
-LoopFigures withdrawnFigures(const graph::PoseGraph& graph, const graph::Constraint& loop) {
-  LoopFigures figures = figuresOf(graph, loop);
-  figures.weight = 0.0;
+  for (const graph::Constraint& loop : withdrawn) {
+    figures.push_back(figuresOf(graph, loop));
+    figures.back().weight = 0.0;
+  }
   return figures;
 }
 

@@ -26,14 +26,11 @@ struct LoopFigures {
   std::optional<double> weight{};  ///< with which it counts: 0 if it was withdrawn
 };
 
-/// The loops of a graph in their order, measured at its poses.
+/// The loops of a graph in their order, measured at its poses, and then those withdrawn from it.
 /// @param weights of all constraints, as graph::SolveReport has them; empty if nobody knows
-[[nodiscard]] std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
-                                                   const std::vector<double>& weights = {});
-
-/// A loop that was withdrawn from a graph.
-[[nodiscard]] LoopFigures withdrawnFigures(const graph::PoseGraph& graph,
-                                           const graph::Constraint& loop);
+[[nodiscard]] std::vector<LoopFigures> loopFigures(
+    const graph::PoseGraph& graph, const std::vector<double>& weights = {},
+    const std::vector<graph::Constraint>& withdrawn = {});
 
 /// Length of a path [m].
 [[nodiscard]] double pathLength(const geometry::Trajectory& trajectory);

@@ -140,6 +140,16 @@ void BackEnd::letBe() {
   }
 }
 
+BeliefAccount BackEnd::beliefs() const {
+  BeliefAccount account{{}, withdrawn_};
+  account.weights.reserve(graph().constraints.size());
+  for (const Constraint& constraint : graph().constraints) {
+    const graph::RobustKernel& kernel = config_.graph.solver.kernels.of(constraint.kind);
+    account.weights.push_back(kernel.at(graph::chiSquare(graph(), constraint)).weight);
+  }
+  return account;
+}
+
 Pose2 BackEnd::mapFromOdometry() const {
   return graph().poses.empty() ? Pose2{} : graph().poses.back() * T_odom_newest_.inverse();
 }

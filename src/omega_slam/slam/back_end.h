@@ -22,6 +22,12 @@ struct BackEndConfig {
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
+/// How far the constraints of a graph are believed.
+struct BeliefAccount {
+  std::vector<double> weights;  ///< [0, 1] of each of the graph; empty where nobody knows
+  std::vector<graph::Constraint> withdrawn;  ///< loops that are no part of the graph any more
+};
+
 /// Holds the graph, keeps it solved, and says where the odometry frame lies in the map.
 ///
 /// Loops may be false. As long as no loop lies far off once the graph is solved, nothing speaks
@@ -54,6 +60,8 @@ class BackEnd {
   /// Loops that the rest contradicts; they are no part of the graph.
   [[nodiscard]] const std::vector<graph::Constraint>& withdrawn() const { return withdrawn_; }
 
+  /// At the present poses, by the kernels.
+  [[nodiscard]] BeliefAccount beliefs() const;
   [[nodiscard]] std::size_t doubts() const { return doubts_; }  ///< times that all were doubted
 
   /// `T_map_odom = T_map_base * T_odom_base^-1` at the newest keyframe; the identity while there is

@@ -145,8 +145,10 @@ TEST(LoopFigures, WeightsAreThoseOfTheLoopsAndNoneOfWithdrawnOnes) {
   EXPECT_EQ(loopFigures(graph, {0.5, 0.25})[0].weight, 0.25);
   EXPECT_FALSE(loopFigures(graph)[0].weight);
   loop.T_from_to.x = 3.0;
-  EXPECT_EQ(withdrawnFigures(graph, loop).weight, 0.0);
-  EXPECT_EQ(withdrawnFigures(graph, loop).residual_translation, 3.0);
+  const std::vector<LoopFigures> figures = loopFigures(graph, {0.5, 0.25}, {loop});
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[1].weight, 0.0);
+  EXPECT_EQ(figures[1].residual_translation, 3.0);
 }
 
 TEST(PathLength, SumsTheSteps) {

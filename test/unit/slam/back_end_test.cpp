@@ -129,7 +129,10 @@ TEST(BackEnd, FalseLoopsAreWithdrawnWheneverTheyCome) {
   const BackEnd back_end = play(problem.graph);
   EXPECT_EQ(back_end.graph().constraints.size(), count);
   EXPECT_EQ(back_end.withdrawn().size(), 12U);
-  EXPECT_EQ(back_end.report().weights.size(), count);
+  const BeliefAccount beliefs = back_end.beliefs();
+  EXPECT_EQ(beliefs.weights, back_end.report().weights);
+  EXPECT_EQ(beliefs.weights.size(), count);
+  EXPECT_EQ(beliefs.withdrawn.size(), 12U);
   EXPECT_LT(worstGap(back_end.graph().poses, clean.poses), 0.02);
 }
 
