@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 namespace omega_slam {
 namespace {
@@ -91,6 +94,35 @@ TEST_F(LoopSearchTest, AResetForgetsTheKeyframesOfTheRunBefore) {
   search.stop();
   EXPECT_EQ(runs_.back(), 2U);
   EXPECT_EQ(search.searched(), 1U);
+}
+
+TEST_F(LoopSearchTest, PosesMayComeFromOneThreadAndRunsFromAnother) {
+  constexpr std::uint64_t kRuns = 4;
+  LoopSearch search(config(), 1, take());
+  std::atomic<bool> is_over{false};
+  std::thread poses([&] {
+    while (!is_over) {
+      search.setPoses(std::vector<Pose2>(kKeyframes));
+      EXPECT_LE(search.searched(), kKeyframes);
+      std::this_thread::yield();
+    }
+  });
+  for (std::uint64_t run = 1; run <= kRuns; ++run) {
+    search.reset(run);
+    for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+      search.addKeyframe(keyframe(id));
+    }
+  }
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    EXPECT_TRUE(told_.wait_for(lock, seconds(30), [&] {
+      return std::count(runs_.begin(), runs_.end(), kRuns) == std::ptrdiff_t{kKeyframes};
+    }));
+  }
+  is_over = true;
+  poses.join();
+  search.stop();
+  EXPECT_EQ(search.searched(), kKeyframes);
 }
 
 TEST_F(LoopSearchTest, ItEndsWhileThereIsWorkLeft) {

@@ -46,6 +46,8 @@ Diagnostics::Diagnostics(ros::NodeHandle nh, std::string node)
       publisher_(nh.advertise<diagnostic_msgs::DiagnosticArray>(names::kDiagnostics, 10)),
       timer_(nh.createWallTimer(ros::WallDuration(kPeriod), &Diagnostics::publish, this)) {}
 
+Diagnostics::Diagnostics(std::string node) : node_(std::move(node)) {}
+
 void Diagnostics::accept(double stamp) {
   const double latency = ros::Time::now().toSec() - stamp;
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -22,6 +22,8 @@ class Diagnostics {
  public:
   /// @param node how the statuses name the node
   Diagnostics(ros::NodeHandle nh, std::string node);
+  /// Keeps account without publishing: there need be no master.
+  explicit Diagnostics(std::string node);
 
   /// One more input was used. @param stamp [s] its time, for the latency
   void accept(double stamp);

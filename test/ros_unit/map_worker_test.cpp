@@ -1,0 +1,90 @@
+#include "nodes/common/map_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace omega_slam {
+namespace {
+
+constexpr graph::NodeId kKeyframes = 30;
+constexpr double kPatience = 30.0;  // [s]
+
+/// A keyframe with one beam of 4 m straight ahead, half a metre from the one before.
+PlacedKeyframe placed(graph::NodeId id) {
+  slam::Keyframe keyframe;
+  keyframe.id = id;
+  keyframe.sweep.stamp = id;
+  keyframe.sweep.angle_increment = 0.01;
+  keyframe.sweep.beams = {{{4.0, 0.0}, sensing::BeamKind::kReturn}};
+  return {std::make_shared<const slam::Keyframe>(keyframe), {0.0, 0.5 * id, 0.0}};
+}
+
+class MapWorkerTest : public ::testing::Test {
+ protected:
+  MapWorkerTest() { ros::Time::init(); }
+
+  Diagnostics diagnostics_{"map_worker_test"};
+  std::atomic<std::size_t> told_{0};
+  MapWorker worker_{{}, 0.001, diagnostics_, [this](const RenderedMapPtr& map) {
+                      EXPECT_FALSE(map->grid.cells.empty());
+                      ++told_;
+                    }};
+};
+
+TEST_F(MapWorkerTest, ManyThreadsMayShowAndRead) {
+  std::atomic<bool> is_over{false};
+  std::thread reader([&] {
+    std::size_t before = 0;
+    while (!is_over) {
+      if (const auto map = worker_.newest()) {
+        EXPECT_GE(map->keyframes, before);
+        before = map->keyframes;
+      }
+      (void)diagnostics_.report(1.0);
+    }
+  });
+  std::vector<PlacedKeyframe> keyframes;
+  for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+    keyframes.push_back(placed(id));
+    worker_.show(keyframes);
+    const auto map = id % 7 == 0 ? worker_.complete(kPatience) : nullptr;
+    EXPECT_TRUE(!map || map->keyframes == keyframes.size());
+  }
+  const auto map = worker_.complete(kPatience);
+  is_over = true;
+  reader.join();
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->keyframes, kKeyframes);
+  EXPECT_EQ(map->stamp, kKeyframes - 1.0);
+  worker_.stop();
+  EXPECT_GE(told_, 1U);
+}
+
+TEST_F(MapWorkerTest, OfARunThatIsOverNoMapIsServed) {
+  worker_.show({placed(0)});
+  ASSERT_TRUE(worker_.complete(kPatience));
+  std::thread shower([&] { worker_.show({}); });
+  shower.join();
+  EXPECT_FALSE(worker_.newest());
+  EXPECT_FALSE(worker_.complete(kPatience));
+}
+
+TEST_F(MapWorkerTest, TheStopEndsAllWaiting) {
+  std::thread waiting([&] {
+    for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+      worker_.show({placed(id)});
+      (void)worker_.complete(kPatience);
+    }
+  });
+  worker_.stop();
+  waiting.join();
+  const std::size_t told = told_;
+  worker_.show({placed(kKeyframes)});
+  EXPECT_EQ(told_, told);
+}
+
+}  // namespace
+}  // namespace omega_slam
