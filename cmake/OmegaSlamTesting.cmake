@@ -5,6 +5,9 @@ if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
 endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
+set(OMEGA_SLAM_TIMEOUT_FACTOR 1 CACHE STRING
+  "By how much longer the cases of test programs may take, for many seeds or slow builds")
+
 # A gtest binary; every case is a ctest entry of its own, and GTEST_SKIP shows up as skipped.
 #   omega_slam_add_gtest(<target> LEVEL <label> PREFIX <name before each case> TIMEOUT <seconds>
 #                        SOURCES <file>... [LIBRARIES <target>...])
@@ -16,8 +19,9 @@ function(omega_slam_add_gtest target)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test_programs)
   target_link_libraries(${target} PRIVATE
     omega_slam_test_support ${TEST_LIBRARIES} GTest::gtest_main)
+  math(EXPR timeout "${TEST_TIMEOUT} * ${OMEGA_SLAM_TIMEOUT_FACTOR}")
   gtest_discover_tests(${target} TEST_PREFIX ${TEST_PREFIX} DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${TEST_LEVEL} TIMEOUT ${TEST_TIMEOUT}
+    PROPERTIES LABELS ${TEST_LEVEL} TIMEOUT ${timeout}
       SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()
 
