@@ -39,7 +39,7 @@ Hokuyo::Hokuyo(const HokuyoConfig& config, double start, std::uint64_t seed)
   beginScan();
 }
 
-std::optional<sensing::LaserScan> Hokuyo::sweep(const World& world,
+std::optional<sensing::LaserScan> Hokuyo::sweep(const Surroundings& surroundings,
                                                 const geometry::StampedPose2& from,
                                                 const geometry::StampedPose2& to) {
   std::optional<sensing::LaserScan> finished;
@@ -52,7 +52,7 @@ std::optional<sensing::LaserScan> Hokuyo::sweep(const World& world,
     const double share = (stamp - from.stamp) / (to.stamp - from.stamp);
     const geometry::Pose2 T_world_laser = geometry::interpolate(from.pose, to.pose, share);
     scan_.ranges.push_back(
-        measure(world, T_world_laser, scan_.angle_min + beam * scan_.angle_increment));
+        measure(surroundings, T_world_laser, scan_.angle_min + beam * scan_.angle_increment));
     if (scan_.ranges.size() == static_cast<std::size_t>(config_.beams)) {
       finished = std::move(scan_);
       beginScan();
@@ -72,11 +72,12 @@ void Hokuyo::beginScan() {
   ++scans_;
 }
 
-float Hokuyo::measure(const World& world, const geometry::Pose2& T_world_laser, double angle) {
+float Hokuyo::measure(const Surroundings& surroundings, const geometry::Pose2& T_world_laser,
+                      double angle) {
   const float no_return = config_.no_return_is_inf ? std::numeric_limits<float>::infinity()
                                                    : std::numeric_limits<float>::quiet_NaN();
-  const auto hit =
-      world.castRay(T_world_laser.translation(), T_world_laser.theta + angle, config_.range_max);
+  const auto hit = surroundings.castRay(T_world_laser.translation(), T_world_laser.theta + angle,
+                                        config_.range_max);
   if (!hit || (hit->material == Material::kDark && hit->range > config_.dark_range)) {
     return no_return;
   }

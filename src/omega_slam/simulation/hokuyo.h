@@ -9,7 +9,7 @@
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/sensing/laser_scan.h"
-#include "omega_slam/simulation/world.h"
+#include "omega_slam/simulation/surroundings.h"
 
 namespace omega_slam::simulation {
 
@@ -45,7 +45,7 @@ class Hokuyo {
   /// motion between them is taken as straight and steady. Calls follow each other without gaps and
   /// span less than one turn of the mirror.
   /// @return the scan whose last beam was among them
-  [[nodiscard]] std::optional<sensing::LaserScan> sweep(const World& world,
+  [[nodiscard]] std::optional<sensing::LaserScan> sweep(const Surroundings& surroundings,
                                                         const geometry::StampedPose2& from,
                                                         const geometry::StampedPose2& to);
 
@@ -53,8 +53,8 @@ class Hokuyo {
 
  private:
   void beginScan();
-  [[nodiscard]] float measure(const World& world, const geometry::Pose2& T_world_laser,
-                              double angle);
+  [[nodiscard]] float measure(const Surroundings& surroundings,
+                              const geometry::Pose2& T_world_laser, double angle);
   [[nodiscard]] double error(double range);
 
   HokuyoConfig config_;

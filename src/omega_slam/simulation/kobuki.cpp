@@ -60,19 +60,19 @@ bool Kobuki::command(const Twist2& target) {
   return true;
 }
 
-Arc Kobuki::step(const World& world, double dt) {
+Arc Kobuki::step(const Surroundings& surroundings, double dt) {
   const Twist2 before = velocity_;
   accelerate(dt);
   Arc arc{0.5 * (before.linear + velocity_.linear) * dt,
           0.5 * (before.angular + velocity_.angular) * dt};
-  const double share = freeShare(world, arc);
+  const double share = freeShare(surroundings, arc);
   blocked_ = share < 1.0;
   if (blocked_) {
     arc.length *= share;
     velocity_.linear = 0.0;
   }
   T_world_base_ = T_world_base_ * arc.toMotion();
-  updateBumper(world);
+  updateBumper(surroundings);
   return arc;
 }
 
@@ -94,17 +94,18 @@ void Kobuki::accelerate(double dt) {
       approach(velocity_.angular, target_.angular, config_.max_angular_acceleration * dt);
 }
 
-double Kobuki::clearance(const World& world, const geometry::Pose2& pose) const {
-  const auto obstacle = world.nearestObstacle(pose.translation(), config_.radius);
+double Kobuki::clearance(const Surroundings& surroundings, const geometry::Pose2& pose) const {
+  const auto obstacle = surroundings.nearestObstacle(pose.translation(), config_.radius);
   return obstacle ? (*obstacle - pose.translation()).norm() : config_.radius;
 }
 
-double Kobuki::freeShare(const World& world, const Arc& arc) const {
+double Kobuki::freeShare(const Surroundings& surroundings, const Arc& arc) const {
   // A base that already touches may move as long as it does not come nearer.
-  const double needed = std::min(clearance(world, T_world_base_), config_.radius - kDistanceSlack);
+  const double needed =
+      std::min(clearance(surroundings, T_world_base_), config_.radius - kDistanceSlack);
   const auto isFree = [&](double share) {
     const Arc part{share * arc.length, arc.turn};
-    return clearance(world, T_world_base_ * part.toMotion()) >= needed;
+    return clearance(surroundings, T_world_base_ * part.toMotion()) >= needed;
   };
   if (isFree(1.0)) {
     return 1.0;
@@ -118,12 +119,12 @@ double Kobuki::freeShare(const World& world, const Arc& arc) const {
   return low;
 }
 
-void Kobuki::updateBumper(const World& world) {
+void Kobuki::updateBumper(const Surroundings& surroundings) {
   if (!blocked_ && !bumper_.any()) {
     return;
   }
   const auto contact =
-      world.nearestObstacle(T_world_base_.translation(), config_.radius + kBumperTravel);
+      surroundings.nearestObstacle(T_world_base_.translation(), config_.radius + kBumperTravel);
   if (!contact) {
     bumper_ = {};
     return;

@@ -6,7 +6,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/motion/arc.h"
 #include "omega_slam/motion/twist2.h"
-#include "omega_slam/simulation/world.h"
+#include "omega_slam/simulation/surroundings.h"
 
 namespace omega_slam::simulation {
 
@@ -56,7 +56,7 @@ class Kobuki {
   [[nodiscard]] bool command(const Twist2& target);
 
   /// Drives for `dt` > 0 [s]. @return the arc that was truly driven
-  Arc step(const World& world, double dt);
+  Arc step(const Surroundings& surroundings, double dt);
 
   /// Carried by hand: stands at the pose, without command, bumper free.
   void place(const geometry::Pose2& T_world_base);
@@ -68,9 +68,10 @@ class Kobuki {
 
  private:
   void accelerate(double dt);
-  [[nodiscard]] double clearance(const World& world, const geometry::Pose2& pose) const;
-  [[nodiscard]] double freeShare(const World& world, const Arc& arc) const;
-  void updateBumper(const World& world);
+  [[nodiscard]] double clearance(const Surroundings& surroundings,
+                                 const geometry::Pose2& pose) const;
+  [[nodiscard]] double freeShare(const Surroundings& surroundings, const Arc& arc) const;
+  void updateBumper(const Surroundings& surroundings);
 
   KobukiConfig config_;
   geometry::Pose2 T_world_base_;

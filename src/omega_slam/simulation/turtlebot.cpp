@@ -75,7 +75,9 @@ TurtleBotEvents TurtleBot::step() {
   const geometry::StampedPose2 laser_before{time(), kobuki_.pose() * config_.T_base_laser};
   const Bumper bumper_before = kobuki_.bumper();
   const bool blocked_before = kobuki_.blocked();
-  const Arc driven = kobuki_.step(*world_, config_.time_step);
+  people_.step(config_.time_step, {kobuki_.pose().translation(), config_.kobuki.radius});
+  const Surroundings surroundings(*world_, people_.discs());
+  const Arc driven = kobuki_.step(surroundings, config_.time_step);
   odometry_.advance(driven, config_.time_step);
   ++steps_;
   if (kobuki_.blocked() && !blocked_before) {
@@ -84,7 +86,7 @@ TurtleBotEvents TurtleBot::step() {
   const geometry::StampedPose2 laser_after{time(), kobuki_.pose() * config_.T_base_laser};
 
   TurtleBotEvents events = now();
-  events.scan = hokuyo_.sweep(*world_, laser_before, laser_after);
+  events.scan = hokuyo_.sweep(surroundings, laser_before, laser_after);
   if (kobuki_.bumper() != bumper_before) {
     events.bumper = kobuki_.bumper();
   }

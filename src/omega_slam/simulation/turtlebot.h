@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
@@ -11,6 +12,7 @@
 #include "omega_slam/simulation/hokuyo.h"
 #include "omega_slam/simulation/kobuki.h"
 #include "omega_slam/simulation/odometry.h"
+#include "omega_slam/simulation/people.h"
 #include "omega_slam/simulation/world.h"
 
 namespace omega_slam::simulation {
@@ -77,6 +79,10 @@ class TurtleBot {
   /// Odometry back to zero, as the base does on command.
   void resetOdometry() { odometry_.reset(); }
 
+  /// Lets people walk about it from now on.
+  void meet(People people) { people_ = std::move(people); }
+  [[nodiscard]] const People& people() const { return people_; }
+
   [[nodiscard]] double time() const;        ///< [s]
   [[nodiscard]] GroundTruth truth() const;  ///< now
   [[nodiscard]] const Bumper& bumper() const { return kobuki_.bumper(); }
@@ -86,6 +92,7 @@ class TurtleBot {
  private:
   TurtleBotConfig config_;
   std::shared_ptr<const World> world_;
+  People people_;
   geometry::Pose2 T_world_start_;
   Kobuki kobuki_;
   Odometry odometry_;
