@@ -18,7 +18,7 @@ LIBRARY = {
              'localization'},
     'exploration': {'geometry', 'sensing', 'grid'},
     'landmarks': {'geometry', 'sensing', 'grid'},
-    'navigation': {'geometry', 'motion', 'grid'},
+    'navigation': {'geometry', 'sensing', 'motion', 'grid'},
     'simulation': {'geometry', 'sensing', 'motion', 'grid'},
     'evaluation': {'geometry', 'sensing', 'grid', 'graph'},
     'results': {'geometry', 'grid', 'graph', 'evaluation', 'io'},

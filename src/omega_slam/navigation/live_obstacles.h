@@ -4,16 +4,9 @@
 #include <vector>
 
 #include "omega_slam/grid/distance_field.h"
+#include "omega_slam/navigation/sighting.h"
 
 namespace omega_slam::navigation {
-
-/// What a laser saw at one moment. All points [m] in one frame.
-struct Sighting {
-  double stamp{0.0};                     ///< [s]
-  Eigen::Vector2d origin{0.0, 0.0};      ///< where the beams start
-  std::vector<Eigen::Vector2d> returns;  ///< where beams ended on something
-  std::vector<Eigen::Vector2d> clear;    ///< how far beams without a return are known to be free
-};
 
 /// Obstacles that sensors have seen near the robot lately, whether or not they are in the map, on a
 /// square of cells that moves along with the robot. Times are the caller's: there is no clock here.

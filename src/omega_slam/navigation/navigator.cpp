@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/validation.h"
@@ -112,13 +113,13 @@ void Navigator::cancel() {
   recovering_ = blocked_ = in_contact_ = false;
 }
 
-NavigatorStep Navigator::finish(NavigationState state, const std::string& reason) {
-  cancel();
+NavigatorStep Navigator::finish(NavigationState state, std::string reason) {
+  cancel();  // and with it reason_, which `reason` may come from
   outcome_ = state;
-  reason_ = reason;
+  reason_ = std::move(reason);
   NavigatorStep result;
   result.state = state;
-  result.reason = reason;
+  result.reason = reason_;
   return result;
 }
 

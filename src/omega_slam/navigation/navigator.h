@@ -114,7 +114,7 @@ class Navigator {
   [[nodiscard]] NavigatorStep drive(const geometry::Pose2& T_map_base, double dt);
   [[nodiscard]] NavigatorStep recover(const geometry::Pose2& T_map_base, double dt);
   [[nodiscard]] NavigatorStep trouble(const std::string& reason, const geometry::Pose2& T_map_base);
-  [[nodiscard]] NavigatorStep finish(NavigationState state, const std::string& reason);
+  [[nodiscard]] NavigatorStep finish(NavigationState state, std::string reason);
   [[nodiscard]] bool needsPlan() const;
   /// Whether there is a path to follow now; if not, the reason is in refusal_.
   [[nodiscard]] bool replan(const geometry::Pose2& T_map_base);
