@@ -8,7 +8,7 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
 endforeach()
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs geometry_msgs message_generation nav_msgs rosbag roscpp rosgraph_msgs
+  actionlib diagnostic_msgs geometry_msgs message_generation move_base_msgs nav_msgs rosbag roscpp rosgraph_msgs
   sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
 
 file(GLOB OMEGA_SLAM_MSGS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/msg CONFIGURE_DEPENDS msg/*.msg)

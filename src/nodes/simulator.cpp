@@ -60,8 +60,7 @@ class SimulatorNode {
     joints_publisher_ =
         nh.advertise<sensor_msgs::JointState>("joint_states", names::kOdometryQueue);
     scan_publisher_ = nh.advertise<sensor_msgs::LaserScan>(names::kScan, names::kScanQueue);
-    bumper_publisher_ = nh.advertise<sensor_msgs::PointCloud2>(
-        "mobile_base/sensors/bumper_pointcloud", names::kScanQueue);
+    bumper_publisher_ = nh.advertise<sensor_msgs::PointCloud2>(names::kBumper, names::kScanQueue);
     truth_publisher_ = nh.advertise<nav_msgs::Odometry>(names::kGroundTruth, names::kOdometryQueue);
     command_subscriber_ =
         nh.subscribe("mobile_base/commands/velocity", 1, &SimulatorNode::onCommand, this,

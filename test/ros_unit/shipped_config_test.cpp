@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nodes/common/navigator_config.h"
 #include "nodes/common/run_recorder_config.h"
 #include "nodes/common/simulator_config.h"
 
@@ -19,6 +20,7 @@ using testing::IsEmpty;
 const ShippedSection kSections[] = {
     {"simulator", "simulator.yaml", "", readDefault<SimulatorConfig>, "world"},
     {"route_follower", "route_follower.yaml", "", readDefault<RouteFollowerConfig>, "world"},
+    {"navigator", "navigation.yaml", "", readDefault<NavigatorNodeConfig>},
     {"run_recorder", "run_recorder.yaml", "", readDefault<RunRecorderConfig>},
 };
 

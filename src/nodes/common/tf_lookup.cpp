@@ -73,13 +73,13 @@ TfAnswer<sensing::LaserMount> lookupLaserMount(const tf2::BufferCore& buffer,
   }
 }
 
-TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
-                                                const std::string& odom_frame,
-                                                const std::string& base_frame) {
-  const std::string target = frameName(odom_frame);
-  const std::string source = frameName(base_frame);
+TfAnswer<geometry::StampedPose2> lookupPose(const tf2::BufferCore& buffer,
+                                            const std::string& frame_a, const std::string& frame_b,
+                                            const ros::Time& stamp) {
+  const std::string target = frameName(frame_a);
+  const std::string source = frameName(frame_b);
   try {
-    const auto transform = buffer.lookupTransform(target, source, kNewest);
+    const auto transform = buffer.lookupTransform(target, source, stamp);
     const auto pose = poseFromRos(transform.transform);
     if (!pose) {
       return {std::nullopt,
@@ -89,8 +89,14 @@ TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
     }
     return {geometry::StampedPose2{transform.header.stamp.toSec(), *pose}, {}};
   } catch (const tf2::TransformException& error) {
-    return {std::nullopt, missing(target, source, timeName(kNewest), error.what())};
+    return {std::nullopt, missing(target, source, timeName(stamp), error.what())};
   }
+}
+
+TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
+                                                const std::string& odom_frame,
+                                                const std::string& base_frame) {
+  return lookupPose(buffer, odom_frame, base_frame, kNewest);
 }
 
 }  // namespace omega_slam

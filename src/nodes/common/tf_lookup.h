@@ -35,6 +35,13 @@ struct TfAnswer {
                                                              const std::string& laser_frame,
                                                              const ros::Time& stamp);
 
+/// The pose of frame b in frame a, `T_a_b`, at a stamp; the newest that there is where that is
+/// zero.
+[[nodiscard]] TfAnswer<geometry::StampedPose2> lookupPose(const tf2::BufferCore& buffer,
+                                                          const std::string& frame_a,
+                                                          const std::string& frame_b,
+                                                          const ros::Time& stamp);
+
 /// The newest pose of the base in the odometry frame, `T_odom_base`, at its own stamp.
 [[nodiscard]] TfAnswer<geometry::StampedPose2> lookupOdometry(const tf2::BufferCore& buffer,
                                                               const std::string& odom_frame,
