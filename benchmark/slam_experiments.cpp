@@ -13,10 +13,13 @@
 #include <vector>
 
 #include "omega_slam/config/slam_config.h"
+#include "slam/growth.h"
+#include "slam/icp_ratio.h"
 #include "slam/log_faults.h"
 #include "slam/recording.h"
 #include "slam/slam_run.h"
 #include "slam/slam_score.h"
+#include "slam/walls.h"
 
 namespace omega_slam::experiments {
 namespace {
@@ -31,6 +34,9 @@ struct Arguments {
   std::vector<double> noises{1.0};
   DriveSettings drive;
   std::vector<std::string> faults;
+  std::string corrected;
+  std::string out{"."};
+  int passes{10};
 };
 
 slam::PipelineConfig pipelineConfig(const Arguments& arguments) {
@@ -104,6 +110,22 @@ void runHostile(const Arguments& arguments) {
   }
 }
 
+void runWalls(const Arguments& arguments) {
+  fmt::print("{}", compareWalls(readRecording(arguments.name, arguments.files),
+                                pipelineConfig(arguments), arguments.corrected, arguments.out));
+}
+
+void runGrowth(const Arguments& arguments) {
+  fmt::print("{}",
+             growthTable(arguments.name, readRecording(arguments.name, arguments.files).records,
+                         arguments.passes, pipelineConfig(arguments)));
+}
+
+void runRatio(const Arguments& arguments) {
+  fmt::print("{}", icpRatioTable(readRecording(arguments.name, arguments.files),
+                                 pipelineConfig(arguments)));
+}
+
 using Part = std::function<void(const Arguments&)>;
 
 std::map<CLI::App*, Part> declare(CLI::App& app, Arguments& arguments) {
@@ -121,7 +143,17 @@ std::map<CLI::App*, Part> declare(CLI::App& app, Arguments& arguments) {
   hostile->add_option("--faults", arguments.faults, "default: all")
       ->delimiter(',')
       ->check(CLI::IsMember(faultNames()));
-  return {{log, runLog}, {simulation, runSimulation}, {hostile, runHostile}};
+  CLI::App* walls = app.add_subcommand("walls", "how crisp maps are, and pictures of them");
+  declareLog(*walls, arguments);
+  walls->add_option("--gmapping", arguments.corrected, "the log as gmapping has corrected it");
+  walls->add_option("--out", arguments.out, "folder for the pictures");
+  CLI::App* growth = app.add_subcommand("growth", "a log to and fro, and what scans cost then");
+  declareLog(*growth, arguments);
+  growth->add_option("--passes", arguments.passes)->check(CLI::PositiveNumber);
+  CLI::App* ratio = app.add_subcommand("ratio", "a scan's time in units of one match by PCL's ICP");
+  declareLog(*ratio, arguments);
+  return {{log, runLog},     {simulation, runSimulation}, {hostile, runHostile},
+          {walls, runWalls}, {growth, runGrowth},         {ratio, runRatio}};
 }
 
 }  // namespace

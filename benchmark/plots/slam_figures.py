@@ -2,7 +2,7 @@
 from figures import legendBelow, pyplot, save
 from slam_tables import GOOD_ERROR
 
-COLOURS = {'lab': '#0072B2', 'office': '#009E73', 'maze': '#E69F00'}
+COLOURS = {'lab': '#0072B2', 'office': '#009E73', 'maze': '#E69F00', 'corridor': '#CC79A7'}
 MARKERS = {'urg': 'o', 'sick': 's', 'rplidar': '^', 'utm': 'D'}
 
 
@@ -27,6 +27,22 @@ def drivesByLaser(results):
     return groups
 
 
+def drawGrowth(results, path):
+    """Time of a scan and memory, against how often the log was driven."""
+    rows = results.rows('growth')
+    passes = [row['passes'] for row in rows]
+    figure, (times, memory) = pyplot.subplots(1, 2, figsize=(10, 3.6))
+    times.plot(passes, [row['mean_ms'] for row in rows], color='#0072B2', label='mean')
+    times.plot(passes, [row['p99_ms'] for row in rows], color='#E69F00', label='99 % are below')
+    times.set(xlabel='passes', ylabel='a scan (ms)', ylim=(0, None))
+    times.legend()
+    memory.plot(passes, [row['memory_mb'] for row in rows], color='#0072B2')
+    memory.set(xlabel='passes', ylabel='memory (MB)', ylim=(0, None))
+    save(figure, path)
+
+
 def drawAll(results, folder):
+    if results.has('growth'):
+        drawGrowth(results, folder / 'growth.png')
     if results.has('simulation'):
         drawSimulation(results, folder / 'simulation.png')

@@ -2,10 +2,10 @@
 import statistics
 
 from page import markdownTable, percent
-from slam_tables import GOALS, LOGS, PEERS, having, inOrder, isGood, isKnown, trueShare
+from slam_tables import COSTS, GOALS, LOGS, PEERS, having, inOrder, isGood, isKnown, trueShare
 from tables import column
 
-PARTS = ('accuracy', 'simulation', 'hostile')
+PARTS = ('accuracy', 'throughput', 'growth', 'simulation', 'hostile')
 FAULTS = {
     'none': 'none', 'duplicated_10': '10 % of the scans twice',
     'duplicated_30': '30 % of the scans twice', 'reordered_10': '10 % of the scans out of order',
@@ -73,6 +73,55 @@ def accuracySection(results):
         table)
 
 
+def wallsSection(results):
+    """How crisp walls are, ours beside gmapping's."""
+    table = []
+    rows = results.rows('walls')
+    for row in inOrder(having(rows, who='omega_slam'), 'log', LOGS):
+        other = having(rows, log=row['log'], who='gmapping')
+        theirs = [f'{1e3 * other[0]["wall_distance"]:.1f}', f'{other[0]["entropy"]:.2f}'] if other \
+            else ['-', '-']
+        table.append([LOGS[row['log']], f'{row["scans"]:.0f}', f'{1e3 * row["wall_distance"]:.1f}',
+                      theirs[0], f'{row["entropy"]:.2f}', theirs[1]])
+    return table and markdownTable(
+        ['log', 'scans', 'distance to walls (mm)', 'gmapping', 'entropy', 'gmapping'], table)
+
+
+def throughputSection(results):
+    table = []
+    ratios = {row['log']: row for row in results.rows('ratio')}
+    for row in inOrder(results.rows('throughput'), 'log', LOGS):
+        ratio = ratios.get(row['log'])
+        table.append([LOGS[row['log']], f'{row["scans"]:.0f}', f'{row["rounds"]:.0f}',
+                      f'{row["cpu_seconds"]:.2f}',
+                      *(f'{seconds:g}' for seconds in COSTS[row['log']].values()),
+                      f'{row["median_ms"]:.3f}', f'{row["p99_ms"]:.1f}', f'{row["max_ms"]:.1f}',
+                      f'{row["peak_mb"]:.0f}', f'{ratio["ratio"]:.2f}' if ratio else '-'])
+    peers = list(COSTS['intel_first'])
+    return table and markdownTable(
+        ['log', 'scans', 'rounds', 'omega_slam (CPU s)', *peers, 'a scan: median (ms)', '99 %', 'most',
+         'memory (MB)', 'a scan / a match by ICP'], table)
+
+
+def growthSection(results):
+    rows = results.rows('growth')
+    table = []
+    for tenth in range(1, 11):
+        upto = [row for row in rows if row['passes'] <= tenth + 0.01]
+        here = [row for row in upto if row['passes'] > tenth - 1 + 0.01]
+        if not here:
+            continue
+        last = upto[-1]
+        table.append([f'{tenth}', f'{last["scans"]:.0f}', f'{last["keyframes"]:.0f}',
+                      f'{last["constraints"]:.0f}',
+                      f'{statistics.mean(column(here, "mean_ms")):.2f}',
+                      f'{max(column(here, "p99_ms")):.1f}', f'{max(column(here, "max_ms")):.1f}',
+                      f'{last["memory_mb"]:.0f}'])
+    return table and markdownTable(
+        ['pass', 'scans so far', 'keyframes', 'constraints', 'a scan: mean (ms)', '99 %', 'most',
+         'memory (MB)'], table) + '\n![Time of a scan and memory against passes](slam/growth.png)\n'
+
+
 def simulationSection(results):
     table = []
     for (world, laser, noise), rows in results.drives().items():
@@ -88,6 +137,20 @@ def simulationSection(results):
         ['world', 'laser', 'noise', 'good runs', 'median error (m)', 'worst error (m)',
          'turned (degrees)', 'odometry: median error (m)', 'worst (m)', 'loops', 'false ones',
          'squared error / covariance'], table)
+
+
+def corridorSection(results):
+    """Whether the graph knows how far along the corridor it may be off."""
+    table = []
+    for (world, _, noise), rows in results.drives().items():
+        if world == 'corridor':
+            worst = max(rows, key=lambda row: row['worst_along'])
+            table.append([f'{noise:g}', f'{len(rows)}', f'{sum(column(rows, "false_loops")):.0f}',
+                          metres(worst['worst_along']), metres(worst['deviation_there']),
+                          share(min(column(rows, 'within')))])
+    return table and markdownTable(
+        ['noise', 'runs', 'false loops', 'worst error along (m)', 'deviation stated there (m)',
+         'keyframes within three deviations, at least'], table)
 
 
 def hostileSection(results):
@@ -110,5 +173,7 @@ def sectionsOf(results):
     """Name in the page -> table."""
     sections = {f'run_{part}': runSection(results, part) for part in PARTS}
     sections.update(peers=againstPeers(results), accuracy=accuracySection(results),
+                    walls=wallsSection(results), throughput=throughputSection(results),
+                    growth=growthSection(results), corridor=corridorSection(results),
                     simulation=simulationSection(results), hostile=hostileSection(results))
     return {name: text for name, text in sections.items() if text}

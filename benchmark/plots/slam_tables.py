@@ -22,6 +22,12 @@ PEERS = {
         'gmapping': (0.074, 2.81), 'Karto': (0.069, 1.69), 'slam_toolbox': (0.099, 1.52),
         'Cartographer, tuned to these logs': None, 'Hector with odometry': (0.065, 1.62)},
 }
+# Their processor seconds for a log, then and there.
+COSTS = {
+    'intel_first': {'gmapping': 72, 'Karto': 24, 'slam_toolbox': 9},
+    'intel_full': {'gmapping': 166, 'Karto': 62, 'slam_toolbox': 28},
+    'csail': {'gmapping': 129, 'Karto': 30, 'slam_toolbox': 13},
+}
 GOALS = {'intel_first': (0.0190, 0.28), 'intel_full': (0.055, 1.40)}
 
 
@@ -51,7 +57,7 @@ def isGood(row):
 
 
 class SlamResults(Results):
-    """`accuracy.csv`, `simulation.csv`, `hostile.csv`, each from a run described in `run_*.csv`."""
+    """A table for each part, or more, and `run_<part>.csv` that says when and where."""
 
     def rows(self, name):
         return self.table(name) if self.has(name) else []

@@ -46,6 +46,18 @@ def checkLog(program, folder):
     assert row['cpu_seconds'] > 0.0, row
 
 
+def checkCost(program, folder):
+    log = (folder / 'made.clf', '--name', 'csail')
+    walls, = run(program, folder / 'slam/walls.csv', 'walls', *log, '--out', folder / 'slam')
+    assert walls['scans'] == 60 and 0.0 < walls['wall_distance'] < 0.1, walls
+    assert (folder / 'slam/csail_omega_slam.png').stat().st_size > 1000
+    ratio, = run(program, folder / 'slam/ratio.csv', 'ratio', *log)
+    assert ratio['icp_matches'] >= 1 and ratio['ratio'] > 0.0, ratio
+    rows = run(program, folder / 'slam/growth.csv', 'growth', *log, '--passes', 20)
+    assert [row['scans'] for row in rows] == [500.0, 1000.0], rows
+    assert rows[0]['keyframes'] <= rows[1]['keyframes'], rows
+
+
 def checkSimulation(program, folder):
     drive = ('simulation', '--world', LAB, '--seconds', SECONDS, '--noise', '1,4')
     rows = run(program, folder / 'slam/simulation.csv', *drive)
@@ -75,7 +87,8 @@ def checkReport(folder):
     assert '| Intel, first 1088 s | 60 |' in text, 'the log is not the one of this run'
     assert '| lab | urg | 4 |' in text, 'the drives are not those of this run'
     assert f'| lab, simulated | {FAULTS["odometry_reset"]} |' in text, 'nor are the faults'
-    assert (folder / 'slam/simulation.png').stat().st_size > 5000
+    for plot in ('simulation', 'growth'):
+        assert (folder / 'slam' / f'{plot}.png').stat().st_size > 5000, plot
 
 
 def main():
@@ -86,6 +99,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / 'slam').mkdir()
         checkLog(program, folder)
+        checkCost(program, folder)
         checkSimulation(program, folder)
         checkHostile(program, folder)
         checkReport(folder)

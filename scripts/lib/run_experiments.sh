@@ -31,6 +31,7 @@ publish() {
   mkdir -p "$out/$subject"
   describe_run >"$TABLES/run.csv"
   cp "$TABLES"/*.csv "$out/$subject/"
+  cp "$TABLES"/*.png "$out/$subject/" 2>/dev/null || true # pictures that need no plotting
   PYTHONDONTWRITEBYTECODE=1 python3 "$OMEGA_SLAM_ROOT/benchmark/plots/report_$subject.py" \
     --page "$OMEGA_SLAM_ROOT/docs/experiments/$subject.md" --out "$out" ||
     die 'The plots could not be drawn.'

@@ -2,7 +2,7 @@
 
 SLAM_PROGRAM=$EXPERIMENTS_TREE/benchmark/slam_experiments
 LOGS=${OMEGA_SLAM_DATA:-}/logs
-SLAM_PARTS=(accuracy simulation hostile)
+SLAM_PARTS=(accuracy throughput growth simulation hostile)
 SLAM_CONFIG=() # options that name parameters other than the built in ones
 PART_TABLES=$EXPERIMENTS_TREE/parts # of single runs
 
@@ -13,6 +13,13 @@ declare -A LOG_FILES=(
   [csail]=mit-csail/mit-csail.clf
   [aces]=aces/aces_440_rawodom.clf
   [freiburg_101]=freiburg-101/freiburg-101_292_rawodom.clf
+  [mines]=mines/exp1.dat
+)
+# What gmapping has made of them.
+declare -A CORRECTED_FILES=(
+  [csail]=mit-csail/csail.corrected.log
+  [aces]=aces/aces-corrected.log.gz
+  [freiburg_101]=freiburg-101/freiburg-101-corrected.log.gz
 )
 
 # log_arguments NAME: fills LOG_ARGUMENTS; false where the log is not to be had.
@@ -89,6 +96,38 @@ queue_accuracy() {
   done
 }
 
+# queue_walls LOG...: with their pictures.
+queue_walls() {
+  local name file corrected
+  for name in "$@"; do
+    log_arguments "$name" || continue
+    corrected=()
+    file=${CORRECTED_FILES[$name]:-}
+    if [[ -n $file && -f $LOGS/$file ]]; then
+      gzip -dcf "$LOGS/$file" >"$TABLES/$name.log"
+      corrected=(--gmapping "$TABLES/$name.log")
+    fi
+    queue walls walls "${LOG_ARGUMENTS[@]}" "${corrected[@]}" --out "$TABLES"
+  done
+}
+
+# run_throughput ROUNDS LOG...: one at a time, for times count.
+run_throughput() {
+  local rounds=$1 name
+  shift
+  for name in "$@"; do
+    log_arguments "$name" || continue
+    say "  throughput: $name"
+    python3 "$OMEGA_SLAM_ROOT/benchmark/peers/offline_tool.py" "${LOG_ARGUMENTS[0]}" --name "$name" \
+      --program "$EXPERIMENTS_TREE/omega_slam_offline" "${SLAM_CONFIG[@]}" --rounds "$rounds" \
+      >"$TABLES/rows" || die "The offline tool has failed on $name."
+    append_rows "$TABLES/rows" "$TABLES/throughput.csv"
+    "$SLAM_PROGRAM" "${SLAM_CONFIG[@]}" ratio "${LOG_ARGUMENTS[@]}" >"$TABLES/rows" ||
+      die "The matches have failed on $name."
+    append_rows "$TABLES/rows" "$TABLES/ratio.csv"
+  done
+}
+
 # queue_drives SEEDS NOISES WORLD...: a run for each seed.
 queue_drives() {
   local seeds=$1 noises=$2 world seed
@@ -129,10 +168,16 @@ run_slam_experiments() {
   for part in "$@"; do
     case $part-$quick in
       accuracy-true) queue_accuracy intel_first intel_full ;;
-      accuracy-false) queue_accuracy "${!LOG_FILES[@]}" ;;
+      accuracy-false)
+        queue_accuracy "${!LOG_FILES[@]}"
+        queue_walls csail aces freiburg_101 mines
+        ;;
+      throughput-true) run_throughput 1 intel_first ;;
+      throughput-false) run_throughput 3 intel_first intel_full csail ;;
+      growth-*) ! log_arguments csail || queue growth growth "${LOG_ARGUMENTS[@]}" ;;
       simulation-true) queue_drives 2 1,4 lab && queue_lasers 1 90 rplidar utm ;;
       simulation-false)
-        queue_drives 10 1,2,4 lab office maze
+        queue_drives 10 1,2,4 lab office maze corridor
         queue_lasers 3 300 sick rplidar utm
         ;;
       hostile-*) queue_hostile ;;
