@@ -8,8 +8,8 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
 endforeach()
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib diagnostic_msgs geometry_msgs message_generation move_base_msgs nav_msgs rosbag roscpp rosgraph_msgs
-  sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
+  actionlib diagnostic_msgs geometry_msgs map_msgs message_generation move_base_msgs nav_msgs rosbag roscpp
+  rosgraph_msgs sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros visualization_msgs)
 
 file(GLOB OMEGA_SLAM_MSGS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/msg CONFIGURE_DEPENDS msg/*.msg)
 file(GLOB OMEGA_SLAM_SRVS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/srv CONFIGURE_DEPENDS srv/*.srv)

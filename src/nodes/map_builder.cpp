@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 #include <nav_msgs/GetMap.h>
-#include <nav_msgs/MapMetaData.h>
-#include <nav_msgs/OccupancyGrid.h>
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
 #include <omega_slam/SaveMap.h>
@@ -11,9 +9,9 @@
 #include <mutex>
 #include <string>
 
-#include "nodes/common/conversions.h"
 #include "nodes/common/diagnostics.h"
 #include "nodes/common/keyframe_store.h"
+#include "nodes/common/map_topics.h"
 #include "nodes/common/map_worker.h"
 #include "nodes/common/names.h"
 #include "nodes/common/node_config.h"
@@ -31,15 +29,16 @@ constexpr double kSavePatience = 10.0;
 /// Keyframes and solved poses in, the map out. Drawing is a MapWorker's, in a thread of its own.
 class MapBuilderNode {
  public:
-  static constexpr unsigned kCallbackThreads = 2;  // saving must not hold up the keyframes
+  // Neither saving nor a new subscriber, who is sent the whole map, must hold up the keyframes.
+  static constexpr unsigned kCallbackThreads = 3;
 
   MapBuilderNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
       : config_(loadConfig<config::MapBuilderNodeConfig>(private_nh)),
         diagnostics_(nh, "map_builder"),
-        map_publisher_(nh.advertise<nav_msgs::OccupancyGrid>(names::kMap, 1, true)),
-        metadata_publisher_(nh.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true)),
+        topics_(nh, config_.map_frame, config_.always_send_whole_map,
+                [this] { return worker_.newest(); }),
         worker_(config_.mapper, config_.update_interval, diagnostics_,
-                [this](const RenderedMapPtr& map) { publish(*map); }) {
+                [this](const DrawnMapPtr& map) { topics_.publish(*map); }) {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "waiting for keyframes");
     keyframe_subscriber_ =
         nh.subscribe(names::kKeyframe, names::kKeyframeQueue, &MapBuilderNode::onKeyframe, this);
@@ -108,20 +107,13 @@ class MapBuilderNode {
                      static_cast<double>(store_.missing()));
   }
 
-  /// In the worker's thread.
-  void publish(const RenderedMap& map) {
-    const auto message = gridToRos(map.grid, config_.map_frame, timeToRos(map.stamp));
-    map_publisher_.publish(message);
-    metadata_publisher_.publish(message.info);
-  }
-
   bool onDynamicMap(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
     const auto map = worker_.newest();
     if (!map) {
       ROS_WARN("There is no map yet: nothing has been drawn.");
       return false;
     }
-    response.map = gridToRos(map->grid, config_.map_frame, timeToRos(map->stamp));
+    response.map = topics_.whole(*map);
     return true;
   }
 
@@ -140,7 +132,8 @@ class MapBuilderNode {
     if (!map) {
       return {false, "There is no map to save: nothing has been drawn yet.", {}};
     }
-    auto result = grid::saveMap(map->grid, std::filesystem::absolute(stem));
+    auto result = grid::saveMap(mapping::render(map->snapshot, mapping::MapLayer::kVerdict),
+                                std::filesystem::absolute(stem));
     diagnostics_.set("last save", result.message);
     if (!result.success) {
       ROS_WARN_STREAM(result.message);
@@ -150,8 +143,7 @@ class MapBuilderNode {
 
   config::MapBuilderNodeConfig config_;
   Diagnostics diagnostics_;
-  ros::Publisher map_publisher_;
-  ros::Publisher metadata_publisher_;
+  MapTopics topics_;
   std::mutex mutex_;  ///< guards store_, and keeps what is shown in order
   KeyframeStore store_;
   MapWorker worker_;  ///< after all that it publishes by

@@ -24,7 +24,7 @@ TEST(KeyframeStore, KeyframesAndPosesMeetInAnyOrder) {
   EXPECT_EQ(store.add(5, keyframe(2)), Verdict::kTaken);
   const auto placed = store.placed();
   ASSERT_EQ(placed.size(), 2U) << "keyframe 2 has no pose yet";
-  EXPECT_EQ(placed[1].keyframe->id, 1U);
+  EXPECT_EQ(placed[1].id, 1U);
   EXPECT_EQ(placed[1].T_map_base.x, 1.0);
   EXPECT_EQ(store.missing(), 0U);
 }
@@ -33,9 +33,9 @@ TEST(KeyframeStore, AKeyframeThatCameBeforeIsNotReplaced) {
   KeyframeStore store;
   store.add(5, keyframe(0));
   store.setPoses(5, {{}});
-  const auto before = store.placed()[0].keyframe;
+  const auto before = store.placed()[0].sweep;
   EXPECT_EQ(store.add(5, keyframe(0)), Verdict::kKnown);
-  EXPECT_EQ(store.placed()[0].keyframe, before);
+  EXPECT_EQ(store.placed()[0].sweep, before);
 }
 
 TEST(KeyframeStore, OnlyKeyframeZeroEndsARun) {

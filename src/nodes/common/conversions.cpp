@@ -153,6 +153,25 @@ nav_msgs::OccupancyGrid gridToRos(const grid::OccupancyGrid& grid, const std::st
   return message;
 }
 
+map_msgs::OccupancyGridUpdate gridUpdateToRos(const grid::OccupancyGrid& grid,
+                                              const Eigen::AlignedBox<int, 2>& cells,
+                                              const std::string& frame, const ros::Time& stamp) {
+  map_msgs::OccupancyGridUpdate message;
+  message.header.frame_id = frame;
+  message.header.stamp = stamp;
+  message.x = cells.min().x();
+  message.y = cells.min().y();
+  message.width = static_cast<std::uint32_t>(cells.sizes().x() + 1);
+  message.height = static_cast<std::uint32_t>(cells.sizes().y() + 1);
+  message.data.reserve(std::size_t{message.width} * message.height);
+  for (int y = cells.min().y(); y <= cells.max().y(); ++y) {
+    const auto row =
+        grid.cells.begin() + static_cast<std::ptrdiff_t>(grid.geometry.index({cells.min().x(), y}));
+    message.data.insert(message.data.end(), row, row + message.width);
+  }
+  return message;
+}
+
 std::optional<grid::OccupancyGrid> gridFromRos(const nav_msgs::OccupancyGrid& grid) {
   constexpr std::uint32_t kMaxSide = std::numeric_limits<std::int32_t>::max();
   const auto origin = poseFromRos(grid.info.origin);

@@ -4,12 +4,13 @@
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/Transform.h>
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <omega_slam/Pose2.h>
 #include <ros/time.h>
 #include <sensor_msgs/LaserScan.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 
@@ -52,6 +53,11 @@ namespace omega_slam {
 /// @param stamp of the newest keyframe drawn
 [[nodiscard]] nav_msgs::OccupancyGrid gridToRos(const grid::OccupancyGrid& grid,
                                                 const std::string& frame, const ros::Time& stamp);
+/// A rectangle of the grid's cells, inside of the grid; both corners are inclusive.
+[[nodiscard]] map_msgs::OccupancyGridUpdate gridUpdateToRos(const grid::OccupancyGrid& grid,
+                                                            const Eigen::AlignedBox<int, 2>& cells,
+                                                            const std::string& frame,
+                                                            const ros::Time& stamp);
 /// None if the size does not fit the cells, the resolution is not positive, the origin is not
 /// finite or is turned, or a cell is outside of -1..100.
 [[nodiscard]] std::optional<grid::OccupancyGrid> gridFromRos(const nav_msgs::OccupancyGrid& grid);

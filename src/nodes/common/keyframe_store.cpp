@@ -28,14 +28,14 @@ void KeyframeStore::setPoses(std::uint64_t run, std::vector<geometry::Pose2> T_m
   poses_ = std::move(T_map_keyframes);
 }
 
-std::vector<PlacedKeyframe> KeyframeStore::placed() const {
-  std::vector<PlacedKeyframe> placed;
+std::vector<mapping::PlacedSweep> KeyframeStore::placed() const {
+  std::vector<mapping::PlacedSweep> placed;
   if (poses_run_ != run_) {
     return placed;
   }
   for (const auto& [id, keyframe] : keyframes_) {
     if (id < poses_.size()) {
-      placed.push_back({keyframe, poses_[id]});
+      placed.push_back({id, slam::sweepOf(keyframe), poses_[id]});
     }
   }
   return placed;

@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
-#include "nodes/common/map_drawer.h"
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/mapping/occupancy_mapper.h"
 #include "omega_slam/slam/keyframe.h"
 
 namespace omega_slam {
@@ -28,8 +28,8 @@ class KeyframeStore {
   /// that run was reset, and its keyframes are forgotten.
   void setPoses(std::uint64_t run, std::vector<geometry::Pose2> T_map_keyframes);
 
-  /// Keyframes that have a pose, by id.
-  [[nodiscard]] std::vector<PlacedKeyframe> placed() const;
+  /// Sweeps of the keyframes that have a pose, by id.
+  [[nodiscard]] std::vector<mapping::PlacedSweep> placed() const;
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
   /// Keyframes that the graph has and that never came here.
   [[nodiscard]] std::size_t missing() const;

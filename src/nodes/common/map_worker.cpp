@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "omega_slam/mapping/map_update.h"
+
 namespace omega_slam {
 
 MapWorker::MapWorker(const mapping::OccupancyMapperConfig& config, double interval,
@@ -12,12 +14,12 @@ MapWorker::MapWorker(const mapping::OccupancyMapperConfig& config, double interv
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(interval))),
       diagnostics_(diagnostics),
       drawn_(std::move(drawn)),
-      drawer_(config),
+      mapper_(config),
       thread_(&MapWorker::work, this) {}
 
 MapWorker::~MapWorker() { stop(); }
 
-void MapWorker::show(std::vector<PlacedKeyframe> keyframes) {
+void MapWorker::show(std::vector<mapping::PlacedSweep> keyframes) {
   const std::lock_guard<std::mutex> lock(mutex_);
   keyframes_ = std::move(keyframes);
   ++version_;
@@ -27,12 +29,12 @@ void MapWorker::show(std::vector<PlacedKeyframe> keyframes) {
   wake_.notify_one();
 }
 
-RenderedMapPtr MapWorker::newest() const {
+DrawnMapPtr MapWorker::newest() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return newest_;
 }
 
-RenderedMapPtr MapWorker::complete(double patience) {
+DrawnMapPtr MapWorker::complete(double patience) {
   std::unique_lock<std::mutex> lock(mutex_);
   const std::uint64_t wanted = version_;
   is_urgent_ = true;
@@ -55,15 +57,15 @@ void MapWorker::stop() {
 }
 
 void MapWorker::work() {
-  std::vector<PlacedKeyframe> keyframes;
+  std::vector<mapping::PlacedSweep> keyframes;
   std::uint64_t version = 0;
   while (take(keyframes, version)) {
-    const RenderedMapPtr map = draw(keyframes);
+    const DrawnMapPtr map = draw(keyframes);
     bool is_new = false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       // A reset may have come meanwhile; then this map is of a run that is over.
-      const RenderedMapPtr valid = keyframes_.empty() ? nullptr : map;
+      const DrawnMapPtr valid = keyframes_.empty() ? nullptr : map;
       is_new = valid && valid != newest_;
       newest_ = valid;
       drawn_version_ = version;
@@ -75,7 +77,7 @@ void MapWorker::work() {
   }
 }
 
-bool MapWorker::take(std::vector<PlacedKeyframe>& keyframes, std::uint64_t& version) {
+bool MapWorker::take(std::vector<mapping::PlacedSweep>& keyframes, std::uint64_t& version) {
   std::unique_lock<std::mutex> lock(mutex_);
   wake_.wait(lock, [this] { return is_stopped_ || version_ != drawn_version_; });
   wake_.wait_until(lock, next_turn_, [this] { return is_stopped_ || is_urgent_; });
@@ -89,27 +91,27 @@ bool MapWorker::take(std::vector<PlacedKeyframe>& keyframes, std::uint64_t& vers
   return !is_stopped_;
 }
 
-RenderedMapPtr MapWorker::draw(const std::vector<PlacedKeyframe>& keyframes) {
+DrawnMapPtr MapWorker::draw(const std::vector<mapping::PlacedSweep>& keyframes) {
   const auto begin = Clock::now();
-  const DrawReport report = drawer_.update(keyframes);
+  const mapping::UpdateReport report = mapping::update(mapper_, keyframes);
   for (const std::string& refusal : report.refusals) {
     diagnostics_.reject(refusal);
   }
-  RenderedMapPtr before = newest();
-  if (before && report.drawn == 0 && !report.is_redrawn) {
+  DrawnMapPtr before = newest();
+  if (before && !report.hasChanged()) {
     return before;
   }
-  auto map = std::make_shared<RenderedMap>();
-  map->grid = drawer_.render();
-  map->keyframes = drawer_.drawn();
-  for (const PlacedKeyframe& placed : keyframes) {
-    map->stamp = std::max(map->stamp, placed.keyframe->sweep.stamp);
+  auto map = std::make_shared<DrawnMap>();
+  map->snapshot = mapper_.snapshot();
+  map->keyframes = mapper_.drawn().size();
+  for (const mapping::PlacedSweep& placed : keyframes) {
+    map->stamp = std::max(map->stamp, placed.sweep->stamp);
   }
   const std::chrono::duration<double, std::milli> took = Clock::now() - begin;
   diagnostics_.set("last drawing [ms]", took.count());
   diagnostics_.set("last drawing, keyframes", static_cast<double>(report.drawn));
   diagnostics_.set("keyframes in the map", static_cast<double>(map->keyframes));
-  return map->grid.cells.empty() ? nullptr : map;
+  return mapping::boundsOf(map->snapshot.tiles).isEmpty() ? nullptr : map;
 }
 
 }  // namespace omega_slam

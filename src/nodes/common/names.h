@@ -17,6 +17,8 @@ inline constexpr char kMap[] = "map";
 inline constexpr char kMapMetadata[] = "map_metadata";
 inline constexpr char kBumper[] = "mobile_base/sensors/bumper_pointcloud";
 inline constexpr char kMoveBase[] = "move_base";  ///< action
+inline constexpr char kMapProbability[] = "map_probability";
+inline constexpr char kMapUpdates[] = "map_updates";
 inline constexpr char kGroundTruth[] = "base_pose_ground_truth";
 inline constexpr char kRouteStatus[] = "route_status";  ///< "driving k/n", "done", "stuck: why"
 

@@ -145,6 +145,28 @@ void read(ParameterReader reader, graph::IncrementalConfig& config) {
   reader.read("max_move", config.max_move, kPositiveLength);
 }
 
+void readMapper(ParameterReader& reader, mapping::OccupancyMapperConfig& mapper) {
+  reader.read("resolution", mapper.resolution, {0.001, 10.0});
+  reader.read("max_range", mapper.max_range, kLength);
+  reader.read("max_extent", mapper.max_extent, {1.0, 100000.0});
+  reader.read("forget_people", mapper.forget_people);
+  reader.read("occupied_threshold", mapper.rules.occupied_threshold, kShare);
+  reader.read("free_threshold", mapper.rules.free_threshold, kShare);
+  reader.read("min_observations", mapper.rules.min_observations, kPositiveCount);
+  reader.read("prior", mapper.rules.prior, kShare);
+  reader.read("prior_weight", mapper.rules.prior_weight, kCount);
+  std::string renderer = mapper.renderer.kind == mapping::RendererKind::kBeam ? "beam" : "triangle";
+  reader.read("renderer", renderer, {"beam", "triangle"});
+  mapper.renderer.kind =
+      renderer == "beam" ? mapping::RendererKind::kBeam : mapping::RendererKind::kTriangle;
+  reader.read("beam_width", mapper.renderer.beam_width, {0.0, 0.5});
+  reader.read("range_noise", mapper.renderer.range_noise, {0.0, 10.0});
+  ParameterReader triangle = reader.group("triangle");
+  triangle.read("join_all", mapper.renderer.triangle.join_all);
+  triangle.read("max_range_gap", mapper.renderer.triangle.max_range_gap, kLength);
+  reader.faults(mapper.validate());
+}
+
 }  // namespace
 
 void read(ParameterReader& reader, MotionModelNodeConfig& config) {
@@ -194,13 +216,8 @@ void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
   if (config.save_stem.empty()) {
     reader.fault("save_stem must not be empty.");
   }
-  mapping::OccupancyMapperConfig& mapper = config.mapper;
-  reader.read("resolution", mapper.resolution, {0.001, 10.0});
-  reader.read("max_range", mapper.max_range, kLength);
-  reader.read("occupied_threshold", mapper.occupied_threshold, kShare);
-  reader.read("min_observations", mapper.min_observations, kPositiveCount);
-  reader.read("max_extent", mapper.max_extent, {1.0, 100000.0});
-  reader.faults(mapper.validate());
+  reader.read("always_send_whole_map", config.always_send_whole_map);
+  readMapper(reader, config.mapper);
 }
 
 slam::PipelineConfig pipelineConfig(const SlamConfig& config) {

@@ -47,9 +47,10 @@ struct GraphSlamNodeConfig {
 struct MapBuilderNodeConfig {
   mapping::OccupancyMapperConfig mapper;
   std::string map_frame{"map"};
-  double update_interval{2.0};   ///< [s] the map is published at most so often
-  std::string save_stem{"map"};  ///< path without ending that the service save_map writes to
-  bool save_on_exit{false};      ///< also write there when the node ends
+  double update_interval{2.0};       ///< [s] the map is published at most so often
+  bool always_send_whole_map{true};  ///< not only when it has grown, and to new subscribers
+  std::string save_stem{"map"};      ///< path without ending that the service save_map writes to
+  bool save_on_exit{false};          ///< also write there when the node ends
 };
 
 struct SlamConfig {

@@ -27,6 +27,14 @@ using TileBits = std::array<std::uint64_t, kTileSide>;
   return {cell.x() >> 6, cell.y() >> 6};  // floors, for negative cells too
 }
 
+/// Calls `visit(x)` for every bit that is set in a row, from the lowest on.
+template <class Visitor>
+void forEachBit(std::uint64_t row, const Visitor& visit) {
+  for (; row != 0; row &= row - 1) {
+    visit(static_cast<std::size_t>(__builtin_ctzll(row)));
+  }
+}
+
 /// The first cell of a tile.
 [[nodiscard]] inline grid::Cell cornerOf(const TileIndex& tile) { return tile * kTileSide; }
 

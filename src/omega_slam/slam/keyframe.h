@@ -27,4 +27,9 @@ struct Keyframe {
 /// Keyframes never change once made, so they are shared freely between threads.
 using KeyframePtr = std::shared_ptr<const Keyframe>;
 
+/// The sweep of a keyframe, which lives as long as anybody holds it.
+[[nodiscard]] inline std::shared_ptr<const sensing::Sweep> sweepOf(const KeyframePtr& keyframe) {
+  return {keyframe, &keyframe->sweep};
+}
+
 }  // namespace omega_slam::slam

@@ -87,7 +87,8 @@ geometry::Trajectory Pipeline::trajectory() const {
 grid::OccupancyGrid Pipeline::map(const mapping::OccupancyMapperConfig& config) const {
   mapping::OccupancyMapper mapper(config);
   for (const KeyframePtr& keyframe : keyframes_) {
-    mapper.add(keyframe->sweep, graph().poses[keyframe->id]);
+    // A sweep that can't be drawn leaves its place empty.
+    mapper.put({keyframe->id, sweepOf(keyframe), graph().poses[keyframe->id]});
   }
   return mapper.render();
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <memory>
+
 #include "omega_slam/geometry/angle.h"
 #include "support/rooms.h"
 
@@ -89,7 +93,8 @@ TEST(OccupancyMapper, AHitWinsOverMissesOfTheSameSweep) {
   // The other two beams pass through the cell in which the middle one ends. Did even one miss count
   // beside the hit, the share of hits would be too low.
   OccupancyMapperConfig config = coarse();
-  config.occupied_threshold = 0.9;
+  config.rules.occupied_threshold = 0.9;
+  config.rules.prior_weight = 0.0;
   OccupancyMapper mapper(config);
   EXPECT_EQ(mapper.add(sweepOf({{{4.0, 0.1}, BeamKind::kReturn},
                                 {{2.0, 0.0}, BeamKind::kReturn},
@@ -112,8 +117,9 @@ TEST(OccupancyMapper, ASweepCountsOnceInACell) {
 
 TEST(OccupancyMapper, ThresholdIsInclusiveAndObservationsAreRequired) {
   OccupancyMapperConfig config = coarse();
-  config.occupied_threshold = 2.0 / 3.0;
-  config.min_observations = 3;
+  config.rules.occupied_threshold = 2.0 / 3.0;
+  config.rules.prior_weight = 0.0;
+  config.rules.min_observations = 3;
   OccupancyMapper mapper(config);
   const Sweep hit = sweepOf({{{1.0, 0.0}, BeamKind::kReturn}});
   const Sweep miss = sweepOf({{{2.0, 0.0}, BeamKind::kNoReturn}});
@@ -147,7 +153,8 @@ TEST(OccupancyMapper, AWallSeenAtAGrazingAngleStays) {
   // Close along the lower wall of a long room: each beam's end cell is crossed by its neighbours.
   const Eigen::Vector2d half(10.0, 1.975);
   OccupancyMapperConfig config;
-  config.occupied_threshold = 0.9;
+  config.rules.occupied_threshold = 0.9;
+  config.rules.prior_weight = 0.0;
   OccupancyMapper mapper(config);
   const Pose2 pose{-9.0, -1.9, 0.3};
   EXPECT_EQ(mapper.add(test::sweepInRoom(half, pose, {0.1, 0.02, 0.1}, 7200), pose), "");
@@ -184,17 +191,92 @@ TEST(OccupancyMapper, ClearForgetsAll) {
   EXPECT_EQ(mapper.render().cells, (std::vector<std::int8_t>{kFree, kWall}));
 }
 
-TEST(CellCounts, StayAtTheirMaximum) {
-  constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
-  CellCounts counts;
-  counts.hits = kMax - 1;
-  counts.misses = kMax;
-  counts.hit();
-  counts.hit();
-  counts.miss();
-  EXPECT_EQ(counts.hits, kMax);
-  EXPECT_EQ(counts.misses, kMax);
-  EXPECT_EQ(counts.observations(), 2 * std::uint64_t{kMax});
+TEST(OccupancyMapper, WhatWasTakenOutHasNeverBeenIn) {
+  OccupancyMapper mapper(coarse());
+  ASSERT_EQ(mapper.add(sweepOf({{{3.0, 0.0}, BeamKind::kReturn}}), {0.5, 0.5, 0.0}), "");
+  const grid::OccupancyGrid before = mapper.render();
+  ASSERT_EQ(mapper.add(sweepOf({{{0.0, 900.0}, BeamKind::kReturn}}), {0.5, 0.5, 0.0}), "");
+  EXPECT_EQ(mapper.render().geometry.height, 901);
+  mapper.takeOut(1);
+  mapper.takeOut(7);  // there is none
+  const grid::OccupancyGrid after = mapper.render();
+  EXPECT_EQ(after.cells, before.cells);
+  EXPECT_EQ(after.geometry.height, 1);
+}
+
+TEST(OccupancyMapper, PuttingASweepInAgainMovesIt) {
+  OccupancyMapper mapper(coarse());
+  const auto sweep = std::make_shared<const Sweep>(sweepOf({{{1.0, 0.0}, BeamKind::kReturn}}));
+  ASSERT_EQ(mapper.put({4, sweep, {0.5, 0.5, 0.0}}), "");
+  ASSERT_EQ(mapper.put({4, sweep, {0.5, 5.5, 0.0}}), "");
+  const grid::OccupancyGrid map = mapper.render();
+  EXPECT_EQ(map.cells, (std::vector<std::int8_t>{kFree, kWall}));
+  EXPECT_EQ(map.geometry.origin.y(), 5.0);
+  EXPECT_EQ(mapper.drawn().size(), 1U);
+}
+
+TEST(OccupancyMapper, AMadPoseThatWasTakenOutLeavesRoom) {
+  OccupancyMapperConfig config = coarse();
+  config.max_extent = 1000.0;
+  OccupancyMapper mapper(config);
+  const auto sweep = std::make_shared<const Sweep>(sweepOf({{{1.0, 0.0}, BeamKind::kReturn}}));
+  ASSERT_EQ(mapper.put({0, sweep, {-600.0, 0.0, 0.0}}), "");
+  EXPECT_NE(mapper.put({1, sweep, {600.0, 0.0, 0.0}}), "");
+  mapper.takeOut(0);
+  EXPECT_EQ(mapper.put({1, sweep, {600.0, 0.0, 0.0}}), "");
+}
+
+TEST(OccupancyMapper, SnapshotsStandStill) {
+  OccupancyMapper mapper(coarse());
+  ASSERT_EQ(mapper.add(sweepOf({{{3.0, 0.0}, BeamKind::kReturn}}), {0.5, 0.5, 0.0}), "");
+  const MapSnapshot snapshot = mapper.snapshot();
+  const grid::OccupancyGrid before = render(snapshot, MapLayer::kVerdict);
+  ASSERT_EQ(mapper.add(sweepOf({{{5.0, 0.0}, BeamKind::kReturn}}), {0.5, 0.5, 0.0}), "");
+  ASSERT_EQ(mapper.add(sweepOf({{{5.0, 0.0}, BeamKind::kReturn}}), {0.5, 0.5, 0.0}), "");
+  EXPECT_EQ(render(snapshot, MapLayer::kVerdict).cells, before.cells);
+  EXPECT_NE(mapper.render().cells, before.cells);
+  mapper.clear();
+  EXPECT_EQ(render(snapshot, MapLayer::kVerdict).cells, before.cells);
+}
+
+TEST(OccupancyMapper, ProbabilitiesAreMeansOfABetaDistribution) {
+  OccupancyMapper mapper(coarse());
+  const Sweep hit = sweepOf({{{1.0, 0.0}, BeamKind::kReturn}});
+  ASSERT_EQ(mapper.add(hit, {0.5, 0.5, 0.0}), "");
+  EXPECT_EQ(render(mapper.snapshot(), MapLayer::kProbability).cells,
+            (std::vector<std::int8_t>{25, 75}));
+  ASSERT_EQ(mapper.add(hit, {0.5, 0.5, 0.0}), "");
+  EXPECT_EQ(render(mapper.snapshot(), MapLayer::kProbability).cells,
+            (std::vector<std::int8_t>{17, 83}));
+}
+
+TEST(CellRules, BetweenTheThresholdsACellIsUnknown) {
+  CellRules rules;
+  rules.free_threshold = 0.3;
+  rules.occupied_threshold = 0.7;
+  EXPECT_EQ(rules.verdict({0, 1}), kFree);
+  EXPECT_EQ(rules.verdict({1, 1}), kDark);
+  EXPECT_EQ(rules.verdict({1, 0}), kWall);
+  EXPECT_EQ(rules.verdict({0, 0}), kDark);
+  EXPECT_EQ(rules.percentage({0, 0}), kDark);
+}
+
+TEST(CellRules, ThePriorIsWhatTheFirstSightMustOutweigh) {
+  CellRules rules;
+  rules.prior = 0.1;
+  rules.prior_weight = 4.0;
+  EXPECT_EQ(rules.percentage({1, 0}), 28);
+  EXPECT_EQ(rules.verdict({1, 0}), kFree);
+  EXPECT_EQ(rules.verdict({4, 0}), kWall);
+}
+
+TEST(CellRules, NamesEveryFault) {
+  EXPECT_TRUE(CellRules().validate().empty());
+  CellRules rules;
+  rules.free_threshold = 0.6;
+  rules.prior = std::nan("");
+  rules.prior_weight = -1.0;
+  EXPECT_EQ(rules.validate().size(), 3U);
 }
 
 TEST(OccupancyMapperConfig, NamesEveryFault) {
@@ -202,16 +284,16 @@ TEST(OccupancyMapperConfig, NamesEveryFault) {
   OccupancyMapperConfig config;
   config.resolution = 0.0;
   config.max_range = -1.0;
-  config.occupied_threshold = std::nan("");
-  config.min_observations = 0;
+  config.rules.occupied_threshold = std::nan("");
+  config.rules.min_observations = 0;
   config.max_extent = std::numeric_limits<double>::infinity();
   const std::vector<std::string> faults = config.validate();
   ASSERT_EQ(faults.size(), 5U);
   EXPECT_EQ(faults[0], "resolution must be above 0 m, but it is 0.");
   EXPECT_EQ(faults[1], "max_range must be 0 (no limit) or above, but it is -1.");
-  EXPECT_EQ(faults[2], "occupied_threshold must be above 0 and at most 1, but it is nan.");
-  EXPECT_EQ(faults[3], "min_observations must be 1 or more, but it is 0.");
-  EXPECT_EQ(faults[4], "max_extent must be above 0 m, but it is inf.");
+  EXPECT_EQ(faults[2], "max_extent must be above 0 m, but it is inf.");
+  EXPECT_EQ(faults[3], "occupied_threshold must be above 0 and at most 1, but it is nan.");
+  EXPECT_EQ(faults[4], "min_observations must be 1 or more, but it is 0.");
   EXPECT_THROW(OccupancyMapper{config}, std::invalid_argument);
 }
 
