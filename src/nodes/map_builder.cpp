@@ -38,7 +38,7 @@ class MapBuilderNode {
         topics_(nh, config_.map_frame, config_.always_send_whole_map,
                 [this] { return worker_.newest(); }),
         worker_(config_.mapper, config_.update_interval, diagnostics_,
-                [this](const DrawnMapPtr& map) { topics_.publish(*map); }) {
+                [this](const DrawnMapPtr& map) { topics_.publish(map); }) {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "waiting for keyframes");
     keyframe_subscriber_ =
         nh.subscribe(names::kKeyframe, names::kKeyframeQueue, &MapBuilderNode::onKeyframe, this);

@@ -9,17 +9,17 @@
 namespace omega_slam {
 namespace {
 
-constexpr graph::NodeId kKeyframes = 30;
+constexpr mapping::SweepId kKeyframes = 30;
 constexpr double kPatience = 30.0;  // [s]
 
-/// A keyframe with one beam of 4 m straight ahead, half a metre from the one before.
-PlacedKeyframe placed(graph::NodeId id) {
-  slam::Keyframe keyframe;
-  keyframe.id = id;
-  keyframe.sweep.stamp = id;
-  keyframe.sweep.angle_increment = 0.01;
-  keyframe.sweep.beams = {{{4.0, 0.0}, sensing::BeamKind::kReturn}};
-  return {std::make_shared<const slam::Keyframe>(keyframe), {0.0, 0.5 * id, 0.0}};
+/// A sweep with one beam of 4 m straight ahead, half a metre from the one before.
+mapping::PlacedSweep placed(mapping::SweepId id) {
+  sensing::Sweep sweep;
+  sweep.stamp = static_cast<double>(id);
+  sweep.angle_increment = 0.01;
+  sweep.beams = {{{4.0, 0.0}, sensing::BeamKind::kReturn}};
+  return {
+      id, std::make_shared<const sensing::Sweep>(sweep), {0.0, 0.5 * static_cast<double>(id), 0.0}};
 }
 
 class MapWorkerTest : public ::testing::Test {
@@ -28,8 +28,8 @@ class MapWorkerTest : public ::testing::Test {
 
   Diagnostics diagnostics_{"map_worker_test"};
   std::atomic<std::size_t> told_{0};
-  MapWorker worker_{{}, 0.001, diagnostics_, [this](const RenderedMapPtr& map) {
-                      EXPECT_FALSE(map->grid.cells.empty());
+  MapWorker worker_{{}, 0.001, diagnostics_, [this](const DrawnMapPtr& map) {
+                      EXPECT_FALSE(mapping::boundsOf(map->snapshot.tiles).isEmpty());
                       ++told_;
                     }};
 };
@@ -46,8 +46,8 @@ TEST_F(MapWorkerTest, ManyThreadsMayShowAndRead) {
       (void)diagnostics_.report(1.0);
     }
   });
-  std::vector<PlacedKeyframe> keyframes;
-  for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+  std::vector<mapping::PlacedSweep> keyframes;
+  for (mapping::SweepId id = 0; id < kKeyframes; ++id) {
     keyframes.push_back(placed(id));
     worker_.show(keyframes);
     const auto map = id % 7 == 0 ? worker_.complete(kPatience) : nullptr;
@@ -58,7 +58,7 @@ TEST_F(MapWorkerTest, ManyThreadsMayShowAndRead) {
   reader.join();
   ASSERT_TRUE(map);
   EXPECT_EQ(map->keyframes, kKeyframes);
-  EXPECT_EQ(map->stamp, kKeyframes - 1.0);
+  EXPECT_EQ(map->stamp, static_cast<double>(kKeyframes - 1));
   worker_.stop();
   EXPECT_GE(told_, 1U);
 }
@@ -74,7 +74,7 @@ TEST_F(MapWorkerTest, OfARunThatIsOverNoMapIsServed) {
 
 TEST_F(MapWorkerTest, TheStopEndsAllWaiting) {
   std::thread waiting([&] {
-    for (graph::NodeId id = 0; id < kKeyframes; ++id) {
+    for (mapping::SweepId id = 0; id < kKeyframes; ++id) {
       worker_.show({placed(id)});
       (void)worker_.complete(kPatience);
     }

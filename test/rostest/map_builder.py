@@ -7,6 +7,7 @@ import sys
 import rospy
 import rostest
 import yaml
+from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap
 from omega_slam.msg import Keyframe, PoseGraph
@@ -97,6 +98,54 @@ class MapBuilderTest(NodeTest):
         self.graphs.publish(poseGraph(RUN, [almost * pose for pose in PATH]))
         self.mapOf(3)
         self.waitForDiagnostic('map_builder: health', 'last drawing, keyframes', 1)
+
+    def testOnlyWhatHasMovedIsDrawnAgain(self):
+        self.start()
+        poses = [Pose(0.1 * k, 0.0, 0.0) for k in range(5)]
+        for number, pose in enumerate(poses):
+            self.keyframes.publish(roomKeyframe(RUN, number, number, pose, room=ROOM))
+        self.graphs.publish(poseGraph(RUN, poses))
+        self.mapOf(5)
+        self.graphs.publish(poseGraph(RUN, poses[:4] + [SHIFT * poses[4]]))
+        self.waitForDiagnostic('map_builder: health', 'last drawing, keyframes', 1)
+
+    def testUpdatesCarryWhatHasChanged(self):
+        """Whoever follows map_updates has the map that a late subscriber is sent."""
+        self.start({'always_send_whole_map': False})
+        updates = self.listen('map_updates', OccupancyGridUpdate)
+        self.connect(updates)
+        self.send(PATH[:1])
+        first = self.maps.waitFor()
+        self.keyframes.publish(roomKeyframe(RUN, 1, 1, PATH[0], room=ROOM))
+        self.graphs.publish(poseGraph(RUN, [PATH[0], Pose(0.0, 0.3, 0.0)]))
+        update = updates.waitFor()
+        self.assertNothingElse(self.maps, 1)
+        self.assertEqual(len(update.data), update.width * update.height)
+        cells = list(first.data)
+        self.assertNotEqual(set(update.data), {-1})
+        for row in range(update.height):
+            begin = (update.y + row) * first.info.width + update.x
+            cells[begin:begin + update.width] = \
+                update.data[row * update.width:(row + 1) * update.width]
+        self.assertNotEqual(cells, list(first.data))
+        self.maps.close()
+        late = self.listen('map', OccupancyGrid).waitFor(lambda m: list(m.data) == cells,
+                                                         'the map with its updates')
+        self.assertEqual(late.info.origin, first.info.origin)
+
+    def testProbabilitiesAreSentToWhoAsks(self):
+        self.start()
+        self.send(PATH)
+        self.mapOf(3)
+        grid = self.listen('map_probability', OccupancyGrid).waitFor()
+        self.assertEqual(cellAt(grid, 0.0, 0.0), 13)  # three misses, and the prior
+        self.assertGreater(cellAt(grid, 0.51, ROOM.bottom), 50)
+        self.assertEqual(cellAt(grid, 2.0, 1.2), -1)
+
+    def testTrianglesFillWhatLiesBetweenBeams(self):
+        self.start({'renderer': 'triangle', 'map_frame': 'floor'})
+        self.send(PATH[:1])
+        self.assertEqual(cellAt(self.waitForWall(ROOM.bottom), 0.0, 0.0), 0)
 
     def testPosesMayComeBeforeTheirKeyframes(self):
         self.start()
@@ -219,6 +268,8 @@ class MapBuilderTest(NodeTest):
             ({'resolution': -0.05}, ['map_builder/resolution']),
             ({'save_on_exit': 1}, ['map_builder/save_on_exit']),
             ({'save_stem': ''}, ['save_stem']),
+            ({'renderer': 'square'}, ['map_builder/renderer', 'triangle']),
+            ({'free_threshold': 0.9}, ['map_builder/free_threshold']),
         ])
 
 

@@ -19,48 +19,53 @@ MapTopics::MapTopics(ros::NodeHandle nh, std::string frame, bool always_send_who
       always_send_whole_map_(always_send_whole_map),
       newest_(std::move(newest)),
       metadata_publisher_(nh_.advertise<nav_msgs::MapMetaData>(names::kMapMetadata, 1, true)),
-      update_publisher_(nh_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10)),
-      map_publisher_(advertise(names::kMap, MapLayer::kVerdict)),
-      probability_publisher_(advertise(names::kMapProbability, MapLayer::kProbability)) {}
-
-ros::Publisher MapTopics::advertise(const std::string& topic, MapLayer layer) {
-  return nh_.advertise<nav_msgs::OccupancyGrid>(
-      topic, 1, [this, layer](const ros::SingleSubscriberPublisher& subscriber) {
-        sendTo(subscriber, layer);
-      });
+      update_publisher_(nh_.advertise<map_msgs::OccupancyGridUpdate>(names::kMapUpdates, 10)) {
+  advertise(names::kMap, verdicts_);
+  advertise(names::kMapProbability, probabilities_);
 }
 
-void MapTopics::sendTo(const ros::SingleSubscriberPublisher& subscriber, MapLayer layer) {
+void MapTopics::advertise(const std::string& topic, Whole& whole) {
+  whole.publisher = nh_.advertise<nav_msgs::OccupancyGrid>(
+      topic, 1,
+      [this, &whole](const ros::SingleSubscriberPublisher& subscriber) {
+        sendTo(subscriber, whole);
+      },
+      ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
+}
+
+void MapTopics::sendTo(const ros::SingleSubscriberPublisher& subscriber, const Whole& whole) {
   // Under the lock: what publish() sends next is at least as new.
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (const DrawnMapPtr map = newest_()) {
-    mapping::MapRaster raster(layer);
+  const DrawnMapPtr map = newest_();
+  if (map && map != whole.latched) {
+    mapping::MapRaster raster(whole.raster.layer());
     raster.update(map->snapshot);
     subscriber.publish(message(raster.grid(), map->stamp));
   }
 }
 
-void MapTopics::publish(const DrawnMap& map) {
+void MapTopics::publish(const DrawnMapPtr& map) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (map_publisher_.getNumSubscribers() + update_publisher_.getNumSubscribers() > 0) {
-    publishVerdicts(map);
-  }
-  if (probability_publisher_.getNumSubscribers() > 0) {
-    probabilities_.update(map.snapshot);
-    probability_publisher_.publish(message(probabilities_.grid(), map.stamp));
-  }
-  const grid::OccupancyGrid place{mapping::rasterGeometry(map.snapshot), {}};
-  metadata_publisher_.publish(message(place, map.stamp).info);
-}
-
-void MapTopics::publishVerdicts(const DrawnMap& map) {
-  const mapping::RasterChange change = verdicts_.update(map.snapshot);
+  const mapping::RasterChange change = verdicts_.raster.update(map->snapshot);
   if (!change.is_resized && !change.cells.isEmpty() && update_publisher_.getNumSubscribers() > 0) {
     update_publisher_.publish(
-        gridUpdateToRos(verdicts_.grid(), change.cells, frame_, timeToRos(map.stamp)));
+        gridUpdateToRos(verdicts_.raster.grid(), change.cells, frame_, timeToRos(map->stamp)));
   }
-  if ((always_send_whole_map_ || change.is_resized) && map_publisher_.getNumSubscribers() > 0) {
-    map_publisher_.publish(message(verdicts_.grid(), map.stamp));
+  if (always_send_whole_map_ || change.is_resized) {
+    send(map, verdicts_);
+  }
+  if (probabilities_.publisher.getNumSubscribers() > 0) {
+    probabilities_.raster.update(map->snapshot);
+    send(map, probabilities_);
+  }
+}
+
+void MapTopics::send(const DrawnMapPtr& map, Whole& whole) {
+  const nav_msgs::OccupancyGrid grid = message(whole.raster.grid(), map->stamp);
+  whole.publisher.publish(grid);
+  whole.latched = map;
+  if (&whole == &verdicts_) {
+    metadata_publisher_.publish(grid.info);
   }
 }
 

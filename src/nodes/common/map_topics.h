@@ -13,8 +13,8 @@
 namespace omega_slam {
 
 /// A map as ROS knows it, on four topics: `map` and `map_probability` whole, `map_updates` with the
-/// cells that have changed, `map_metadata`. A message that nobody would get is not made, and who
-/// subscribes late to a whole map is sent the newest. Thread-safe.
+/// cells that have changed, `map_metadata`. All but the updates are latched; and where what was
+/// latched is not the newest any more, who subscribes late is sent that too. Thread-safe.
 class MapTopics {
  public:
   /// The newest map, or null; asked in any thread.
@@ -24,15 +24,21 @@ class MapTopics {
   MapTopics(ros::NodeHandle nh, std::string frame, bool always_send_whole_map, Newest newest);
 
   /// A map that came after all before.
-  void publish(const DrawnMap& map);
+  void publish(const DrawnMapPtr& map);
 
   /// The same grid as on `map`.
   [[nodiscard]] nav_msgs::OccupancyGrid whole(const DrawnMap& map) const;
 
  private:
-  [[nodiscard]] ros::Publisher advertise(const std::string& topic, mapping::MapLayer layer);
-  void sendTo(const ros::SingleSubscriberPublisher& subscriber, mapping::MapLayer layer);
-  void publishVerdicts(const DrawnMap& map);
+  /// A topic with a whole map.
+  struct Whole {
+    mapping::MapRaster raster;
+    DrawnMapPtr latched;
+    ros::Publisher publisher;
+  };
+  void advertise(const std::string& topic, Whole& whole);
+  void sendTo(const ros::SingleSubscriberPublisher& subscriber, const Whole& whole);
+  void send(const DrawnMapPtr& map, Whole& whole);
   [[nodiscard]] nav_msgs::OccupancyGrid message(const grid::OccupancyGrid& grid,
                                                 double stamp) const;
 
@@ -40,14 +46,11 @@ class MapTopics {
   std::string frame_;
   bool always_send_whole_map_;
   Newest newest_;
-  std::mutex mutex_;  ///< guards the rasters, and keeps what a subscriber gets in order
-  mapping::MapRaster verdicts_{mapping::MapLayer::kVerdict};
-  mapping::MapRaster probabilities_{mapping::MapLayer::kProbability};
-  // Last, so that no subscriber is served before the members above exist.
+  std::mutex mutex_;  ///< guards all below, and keeps what a subscriber gets in order
   ros::Publisher metadata_publisher_;
   ros::Publisher update_publisher_;
-  ros::Publisher map_publisher_;
-  ros::Publisher probability_publisher_;
+  Whole verdicts_{mapping::MapRaster(mapping::MapLayer::kVerdict), {}, {}};
+  Whole probabilities_{mapping::MapRaster(mapping::MapLayer::kProbability), {}, {}};
 };
 
 }  // namespace omega_slam

@@ -23,10 +23,6 @@ CellBox cellsOf(const CellBox& tiles) {
 
 }  // namespace
 
-grid::GridGeometry rasterGeometry(const MapSnapshot& map) {
-  return geometryOf(map.resolution, cellsOf(boxOfTiles(map.tiles)));
-}
-
 RasterChange MapRaster::update(const MapSnapshot& map) {
   const CellBox tiles = boxOfTiles(map.tiles);
   RasterChange change;

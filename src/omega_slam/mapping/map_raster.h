@@ -21,6 +21,7 @@ class MapRaster {
   RasterChange update(const MapSnapshot& map);
 
   [[nodiscard]] const grid::OccupancyGrid& grid() const { return grid_; }
+  [[nodiscard]] MapLayer layer() const { return layer_; }
 
  private:
   void resize(double resolution, const CellBox& tiles);
@@ -31,8 +32,5 @@ class MapRaster {
   CellBox tiles_;     ///< that the grid covers
   grid::OccupancyGrid grid_;
 };
-
-/// Where the grid of a raster that shows a snapshot lies.
-[[nodiscard]] grid::GridGeometry rasterGeometry(const MapSnapshot& map);
 
 }  // namespace omega_slam::mapping

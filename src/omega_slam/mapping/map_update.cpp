@@ -14,9 +14,18 @@ constexpr double kCellShare = 0.5;  // of a cell, that the end of a beam may be 
 /// Whether a sweep is drawn well enough where it is.
 bool stands(const DrawnSweep& drawn, const PlacedSweep& now, double tolerance) {
   const geometry::Pose2& before = drawn.placed.T_map_base;
+  if (drawn.placed.sweep != now.sweep) {
+    return false;
+  }
+  // Below the tolerance by far, as nearly all are, no root and no angle needs to be found.
+  const double bound = std::abs(now.T_map_base.x - before.x) +
+                       std::abs(now.T_map_base.y - before.y) +
+                       std::abs(now.T_map_base.theta - before.theta) * drawn.reach;
+  if (bound <= tolerance) {
+    return true;
+  }
   const double turn = std::abs(geometry::angleDifference(now.T_map_base.theta, before.theta));
-  return drawn.placed.sweep == now.sweep &&
-         geometry::distance(before, now.T_map_base) + turn * drawn.reach <= tolerance;
+  return geometry::distance(before, now.T_map_base) + turn * drawn.reach <= tolerance;
 }
 
 /// What is to be done to a map.
@@ -32,20 +41,20 @@ Work compare(const OccupancyMapper& mapper, const std::vector<PlacedSweep>& swee
   auto drawn = mapper.drawn().begin();
   const auto end = mapper.drawn().end();
   for (const PlacedSweep& sweep : sweeps) {
-    for (; drawn != end && drawn->first < sweep.id; ++drawn) {
-      work.gone.push_back(drawn->first);
+    for (; drawn != end && drawn->placed.id < sweep.id; ++drawn) {
+      work.gone.push_back(drawn->placed.id);
     }
-    if (drawn == end || drawn->first != sweep.id) {
+    if (drawn == end || drawn->placed.id != sweep.id) {
       work.fresh.push_back(&sweep);
       continue;
     }
-    if (!stands(drawn->second, sweep, tolerance)) {
+    if (!stands(*drawn, sweep, tolerance)) {
       work.moved.push_back(&sweep);
     }
     ++drawn;
   }
   for (; drawn != end; ++drawn) {
-    work.gone.push_back(drawn->first);
+    work.gone.push_back(drawn->placed.id);
   }
   return work;
 }
@@ -72,10 +81,6 @@ UpdateReport update(OccupancyMapper& mapper, const std::vector<PlacedSweep>& swe
     return report;
   }
   std::for_each(work.gone.begin(), work.gone.end(), [&](SweepId id) { mapper.takeOut(id); });
-  // All are taken out before any is put back: in between, no place of the past makes the map large.
-  for (const PlacedSweep* sweep : work.moved) {
-    mapper.takeOut(sweep->id);
-  }
   for (const auto* sweeps_to_put : {&work.moved, &work.fresh}) {
     for (const PlacedSweep* sweep : *sweeps_to_put) {
       put(*sweep, report.drawn);

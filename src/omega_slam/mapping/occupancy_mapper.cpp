@@ -55,11 +55,19 @@ OccupancyMapper::OccupancyMapper(const OccupancyMapperConfig& config) : config_(
 }
 
 std::string OccupancyMapper::put(const PlacedSweep& placed) {
-  takeOut(placed.id);
-  if (std::string reason = draw(placed); !reason.empty()) {
-    return reason;
+  const auto place = find(placed.id);
+  const bool is_in = place != drawn_.end() && place->placed.id == placed.id;
+  if (is_in) {
+    subtract(place->placed);
   }
-  if (std::string reason = whyTooLarge(rays_.box); !reason.empty()) {
+  std::string reason = draw(placed);
+  if (reason.empty()) {
+    reason = whyTooLarge(rays_.box);
+  }
+  if (!reason.empty()) {
+    if (is_in) {
+      drawn_.erase(place);
+    }
     return reason;
   }
   bounds_.extend(rays_.box);
@@ -67,27 +75,42 @@ std::string OccupancyMapper::put(const PlacedSweep& placed) {
   if (config_.forget_people) {
     people_.add(placed.id, rays_, cells_);
   }
-  drawn_.emplace(placed.id, DrawnSweep{placed, reachFrom(placed.T_map_base)});
+  const DrawnSweep drawn{placed, reachFrom(placed.T_map_base)};
+  if (is_in) {
+    *place = drawn;
+  } else {
+    drawn_.insert(place, drawn);
+  }
   return {};
 }
 
 std::string OccupancyMapper::add(const sensing::Sweep& sweep, const geometry::Pose2& T_map_base) {
-  const SweepId id = drawn_.empty() ? 0 : drawn_.rbegin()->first + 1;
+  const SweepId id = drawn_.empty() ? 0 : drawn_.back().placed.id + 1;
   return put({id, std::make_shared<const sensing::Sweep>(sweep), T_map_base});
 }
 
 void OccupancyMapper::takeOut(SweepId id) {
-  const auto found = drawn_.find(id);
-  if (found == drawn_.end()) {
-    return;
+  const auto place = find(id);
+  if (place != drawn_.end() && place->placed.id == id) {
+    subtract(place->placed);
+    drawn_.erase(place);
   }
+}
+
+/// Where the sweep of that number is, or would be.
+std::vector<DrawnSweep>::iterator OccupancyMapper::find(SweepId id) {
+  return std::lower_bound(
+      drawn_.begin(), drawn_.end(), id,
+      [](const DrawnSweep& drawn, SweepId number) { return drawn.placed.id < number; });
+}
+
+void OccupancyMapper::subtract(const PlacedSweep& placed) {
   // The same sweep at the same pose is drawn to the same cells: it was not refused then.
-  static_cast<void>(draw(found->second.placed));
+  static_cast<void>(draw(placed));
   counts_.subtract(cells_);
   if (config_.forget_people) {
-    people_.remove(id, cells_);
+    people_.remove(placed.id, cells_);
   }
-  drawn_.erase(found);
 }
 
 /// Marks cells_. @return an empty string, or why the sweep can't be drawn

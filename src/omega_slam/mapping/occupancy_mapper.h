@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,8 +70,8 @@ class OccupancyMapper {
   void takeOut(SweepId id);
   void clear();
 
-  /// The sweeps that are in the map.
-  [[nodiscard]] const std::map<SweepId, DrawnSweep>& drawn() const { return drawn_; }
+  /// The sweeps that are in the map, by number.
+  [[nodiscard]] const std::vector<DrawnSweep>& drawn() const { return drawn_; }
   [[nodiscard]] const OccupancyMapperConfig& config() const { return config_; }
 
   /// The map now. Costs as much as copying a pointer for each tile.
@@ -83,13 +82,15 @@ class OccupancyMapper {
   [[nodiscard]] grid::OccupancyGrid render();
 
  private:
+  [[nodiscard]] std::vector<DrawnSweep>::iterator find(SweepId id);
+  void subtract(const PlacedSweep& placed);
   [[nodiscard]] std::string draw(const PlacedSweep& placed);
   [[nodiscard]] std::string whyTooLarge(const CellBox& sweep);
   [[nodiscard]] double reachFrom(const geometry::Pose2& T_map_base) const;
 
   OccupancyMapperConfig config_;
   std::unique_ptr<const SweepRenderer> renderer_;
-  std::map<SweepId, DrawnSweep> drawn_;
+  std::vector<DrawnSweep> drawn_;
   CountMap counts_;
   PeopleFilter people_;
   CellBox bounds_;    ///< around all that is in the map, and perhaps what was

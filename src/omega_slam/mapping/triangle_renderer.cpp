@@ -38,37 +38,38 @@ bool TriangleRenderer::isOneSurface(const SweepRays& rays, const Ray& a, const R
 
 void TriangleRenderer::render(const SweepRays& rays, SweepCells& cells) const {
   cells.begin(rays.box);
+  bool is_covered = false;  // by a whole triangle on the side that the sweep comes from
   for (std::size_t k = 0; k < rays.rays.size(); ++k) {
     const Ray& ray = rays.rays[k];
-    if (!config_.join_all) {
+    const bool covers =
+        k + 1 < rays.rays.size() && renderBetween(rays, ray, rays.rays[k + 1], cells);
+    if (!config_.join_all && !(is_covered && covers)) {
       renderLine(rays, ray, freeEnd(rays, ray, range_noise_), cells);
     } else if (ray.is_hit) {
       cells.markOccupied(cellOf(ray.end));
     }
-    if (k == 0) {
-      continue;
-    }
-    const Ray& before = rays.rays[k - 1];
-    if (config_.join_all || areNeighbours(rays, before, ray)) {
-      renderBetween(rays, before, ray, cells);
-    }
+    is_covered = covers;
   }
 }
 
-void TriangleRenderer::renderBetween(const SweepRays& rays, const Ray& a, const Ray& b,
+/// @return whether all between the rays is filled
+bool TriangleRenderer::renderBetween(const SweepRays& rays, const Ray& a, const Ray& b,
                                      SweepCells& cells) const {
+  if (!config_.join_all && !areNeighbours(rays, a, b)) {
+    return false;
+  }
   Eigen::Vector2d end_a = freeEnd(rays, a, range_noise_);
   Eigen::Vector2d end_b = freeEnd(rays, b, range_noise_);
-  if (isOneSurface(rays, a, b)) {
-    if (a.is_hit && b.is_hit) {
-      grid::traverseCells(a.end, b.end, [&cells](const auto& cell) { cells.markOccupied(cell); });
-    }
-  } else {
+  const bool is_one_surface = isOneSurface(rays, a, b);
+  if (!is_one_surface) {
     const double nearer = std::min((end_a - rays.start).norm(), (end_b - rays.start).norm());
     end_a = cutAt(rays.start, end_a, nearer);
     end_b = cutAt(rays.start, end_b, nearer);
+  } else if (a.is_hit && b.is_hit) {
+    grid::traverseCells(a.end, b.end, [&cells](const auto& cell) { cells.markOccupied(cell); });
   }
   fillTriangle({rays.start, end_a, end_b}, cells);
+  return is_one_surface;
 }
 
 }  // namespace omega_slam::mapping

@@ -26,7 +26,7 @@ class TriangleRenderer : public SweepRenderer {
 
  private:
   [[nodiscard]] bool isOneSurface(const SweepRays& rays, const Ray& a, const Ray& b) const;
-  void renderBetween(const SweepRays& rays, const Ray& a, const Ray& b, SweepCells& cells) const;
+  bool renderBetween(const SweepRays& rays, const Ray& a, const Ray& b, SweepCells& cells) const;
 
   double range_noise_;
   TriangleConfig config_;

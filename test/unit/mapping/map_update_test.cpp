@@ -104,7 +104,7 @@ TEST_F(MapUpdateTest, WhatCantBeDrawnIsSaidAndLeavesTheMap) {
   const UpdateReport report = update(mapper_, sweeps_);
   ASSERT_EQ(report.refusals.size(), 1U);
   EXPECT_FALSE(report.refusals[0].empty());
-  EXPECT_EQ(mapper_.drawn().count(1), 0U);
+  EXPECT_EQ(mapper_.drawn().size(), 2U);
   sweeps_.erase(sweeps_.begin() + 1);
   expectAsDrawnAtOnce();
 }
