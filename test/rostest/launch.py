@@ -17,10 +17,13 @@ ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
 SLAM = {'/motion_model', '/scan_matcher', '/graph_slam', '/map_builder'}
 SIMULATION = {'/simulator', '/route_follower', '/robot_state_publisher'}
 # What each file starts when nothing is asked of it.
+EXPLORATION = {'/navigator', '/frontier_explorer'}
 NODES = {
-    'demo.launch': SLAM | SIMULATION | {'/run_recorder'},
+    'demo.launch': SLAM | (SIMULATION - {'/route_follower'}) | EXPLORATION | {'/run_recorder'},
     'description.launch': {'/robot_state_publisher'},
+    'exploration.launch': SLAM | EXPLORATION,
     'monitor.launch': {'/rviz'},
+    'navigation.launch': {'/navigator'},
     'simulation.launch': SIMULATION,
     'slam.launch': SLAM,
     'turtlebot.launch': SLAM | {'/base_to_laser'},

@@ -1,9 +1,8 @@
 #include "nodes/common/graph_markers.h"
 
-#include <std_msgs/ColorRGBA.h>
-
 #include <array>
-#include <string>
+
+#include "nodes/common/markers.h"
 
 namespace omega_slam {
 namespace {
@@ -17,15 +16,6 @@ constexpr double kLine = 0.02;  // [m]
 constexpr double kEdgeHeight = 0.02;
 constexpr double kLoopHeight = 0.04;
 constexpr double kDotHeight = 0.06;
-
-std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
-  std_msgs::ColorRGBA result;
-  result.r = red;
-  result.g = green;
-  result.b = blue;
-  result.a = alpha;
-  return result;
-}
 
 struct Style {
   graph::ConstraintKind kind;
@@ -41,24 +31,6 @@ std::array<Style, 3> edgeStyles() {
        {graph::ConstraintKind::kLoop, "loops", color(1.0F, 0.2F, 0.1F, 1.0F), kLoopHeight}}};
 }
 
-Marker makeMarker(const std_msgs::Header& header, const std::string& name, int type) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.pose.orientation.w = 1.0;
-  return marker;
-}
-
-geometry_msgs::Point pointAt(const geometry::Pose2& pose, double height) {
-  geometry_msgs::Point point;
-  point.x = pose.x;
-  point.y = pose.y;
-  point.z = height;
-  return point;
-}
-
 Marker nodeMarker(const graph::PoseGraph& graph, const std_msgs::Header& header) {
   Marker marker = makeMarker(header, "keyframes", Marker::SPHERE_LIST);
   marker.scale.x = kDot;
@@ -66,7 +38,7 @@ Marker nodeMarker(const graph::PoseGraph& graph, const std_msgs::Header& header)
   marker.scale.z = kDot;
   marker.color = color(0.1F, 0.7F, 0.2F, 1.0F);
   for (const geometry::Pose2& pose : graph.poses) {
-    marker.points.push_back(pointAt(pose, kDotHeight));
+    marker.points.push_back(pointAt(pose.translation(), kDotHeight));
   }
   return marker;
 }
@@ -78,8 +50,8 @@ Marker edgeMarker(const graph::PoseGraph& graph, const std_msgs::Header& header,
   marker.color = style.color;
   for (const graph::Constraint& constraint : graph.constraints) {
     if (constraint.kind == style.kind) {
-      marker.points.push_back(pointAt(graph.poses[constraint.from], style.height));
-      marker.points.push_back(pointAt(graph.poses[constraint.to], style.height));
+      marker.points.push_back(pointAt(graph.poses[constraint.from].translation(), style.height));
+      marker.points.push_back(pointAt(graph.poses[constraint.to].translation(), style.height));
     }
   }
   return marker;

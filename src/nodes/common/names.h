@@ -21,6 +21,8 @@ inline constexpr char kMapProbability[] = "map_probability";
 inline constexpr char kMapUpdates[] = "map_updates";
 inline constexpr char kGroundTruth[] = "base_pose_ground_truth";
 inline constexpr char kRouteStatus[] = "route_status";  ///< "driving k/n", "done", "stuck: why"
+inline constexpr char kExplorationStatus[] = "exploration_status";
+inline constexpr char kExplorationMarkers[] = "exploration_markers";
 
 inline constexpr char kDynamicMapService[] = "dynamic_map";
 inline constexpr char kSaveMapService[] = "save_map";
