@@ -6,6 +6,7 @@
 #include "omega_slam/exploration/travel_field.h"
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/grid/ray_traversal.h"
+#include "omega_slam/sensing/scan_intake.h"
 
 namespace omega_slam::experiments {
 namespace {
@@ -34,11 +35,8 @@ void look(const simulation::World& world, const Eigen::Vector2d& place, double r
   for (int i = 0; i < kRays; ++i) {
     const double angle = 2.0 * geometry::kPi * i / kRays;
     const auto hit = world.castRay(place, angle, range);
-    if (!hit) {
-      continue;
-    }
-    const Eigen::Vector2d end =
-        place + hit->range * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const double reach = hit ? hit->range : sensing::ScanIntakeConfig().no_return_range;
+    const Eigen::Vector2d end = place + reach * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     grid::traverseRay(geometry, place, end, [&](const Cell& cell) {
       if (geometry.contains(cell) && world.at(cell) == simulation::Material::kNone) {
         seen[geometry.index(cell)] = true;

@@ -13,7 +13,8 @@ namespace omega_slam::experiments {
 class Seeable {
  public:
   /// @param start [m] of the robot in the world; @param radius [m] of the robot
-  /// @param range [m] of the laser: beams that meet nothing within it tell nothing
+  /// @param range [m] of the laser; beams that meet nothing within it see open space as far as
+  /// sensing::ScanIntakeConfig has it
   Seeable(const simulation::World& world, const Eigen::Vector2d& start, double radius,
           double range);
 

@@ -9,6 +9,7 @@
 #include "omega_slam/config/slam_config.h"
 #include "omega_slam/motion/odometry_buffer.h"
 #include "omega_slam/navigation/navigator.h"
+#include "omega_slam/navigation/sighting.h"
 #include "omega_slam/simulation/turtlebot.h"
 
 namespace omega_slam::experiments {
@@ -58,6 +59,7 @@ class Run {
   static simulation::TurtleBotConfig robotConfig(const RunSetup& setup) {
     simulation::TurtleBotConfig config;
     config.seed = setup.seed;
+    config.hokuyo.no_return_is_inf = true;  // as REP-117 has it: open space is seen to be open
     return config;
   }
 
@@ -136,22 +138,8 @@ class Run {
     const auto taken = intake_.process(scan, mount, during);
     if (taken.sweep && mapFromOdom()) {
       const ThreadTimer timer(outcome_.navigator_cpu);
-      navigator_.see(sightingOf(*taken.sweep), *mapFromOdom() * T_odom_base);
+      navigator_.see(navigation::sightingFrom(*taken.sweep), *mapFromOdom() * T_odom_base);
     }
-  }
-
-  static navigation::Sighting sightingOf(const sensing::Sweep& sweep) {
-    navigation::Sighting sighting;
-    sighting.stamp = sweep.stamp;
-    sighting.origin = sweep.T_base_laser.translation();
-    for (const sensing::Beam& beam : sweep.beams) {
-      if (beam.kind == sensing::BeamKind::kReturn) {
-        sighting.returns.push_back(beam.end);
-      } else if (beam.kind == sensing::BeamKind::kNoReturn) {
-        sighting.clear.push_back(beam.end);
-      }
-    }
-    return sighting;
   }
 
   /// As graph_slam publishes it.

@@ -46,10 +46,11 @@ def robustnessSection(results):
             percent(min(row['coverage'] for row in rows), 2),
             sum(row['from_home'] <= AT_HOME for row in rows),
             sum(row['collisions'] == 0 for row in rows),
-            sum(int(row['collisions']) for row in rows)])
+            sum(int(row['collisions']) for row in rows),
+            sum(int(row['unseen']) for row in rows)])
     return table and markdownTable(
         ['world', 'runs', 'done', 'coverage >= 99 %', 'least coverage', 'home within 0.5 m',
-         'without a collision', 'collisions in all'], table)
+         'without a collision', 'collisions in all', 'of these unseen'], table)
 
 
 def processorSection(results):
