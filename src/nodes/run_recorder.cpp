@@ -1,6 +1,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
+#include <omega_slam/ExplorationStatus.h>
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
 #include <ros/ros.h>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "nodes/common/conversions.h"
+#include "nodes/common/exploration_line.h"
 #include "nodes/common/names.h"
 #include "nodes/common/node_config.h"
 #include "nodes/common/node_runner.h"
@@ -120,7 +122,10 @@ void RunRecorder::subscribe(ros::NodeHandle& nh) {
       nh.subscribe<diagnostic_msgs::DiagnosticArray>(
           names::kDiagnostics, kQueue, [this](const auto& message) { accounts_.update(*message); }),
       nh.subscribe<std_msgs::String>(
-          names::kRouteStatus, 1, [this](const auto& message) { route_status_ = message->data; })};
+          names::kRouteStatus, 1, [this](const auto& message) { route_status_ = message->data; }),
+      nh.subscribe<ExplorationStatus>(names::kExplorationStatus, 1, [this](const auto& message) {
+        route_status_ = explorationLine(*message);
+      })};
 }
 
 void RunRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {

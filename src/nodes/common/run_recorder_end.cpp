@@ -26,6 +26,9 @@ std::string RunEnd::findReason(const RunProgress& progress) const {
   if (progress.route_status == "done") {
     return "route done";
   }
+  if (progress.route_status == "explored") {
+    return "exploration ended";
+  }
   if (progress.route_status.compare(0, stuck.size(), stuck) == 0) {
     return "robot " + progress.route_status;
   }

@@ -10,7 +10,8 @@ struct RunProgress {
   double time{0.0};            ///< [s] of the run's clock, newest stamp seen
   double elapsed{0.0};         ///< [s] of the run's clock since the first message
   double wall_time{0.0};       ///< [s] of a clock that never stands still, any origin
-  std::string route_status;    ///< "driving k/n", "done", "stuck: <why>", or empty
+  std::string route_status;    ///< "driving k/n", "done", "stuck: <why>", or empty; of an
+                               ///< exploration what explorationLine() says
   std::size_t keyframes{0};    ///< made so far
   std::size_t graph_poses{0};  ///< in the newest pose graph
   double graph_stamp{0.0};     ///< [s] newest keyframe of that graph
@@ -24,8 +25,9 @@ struct RunEndConfig {
   double settle_deadline{20.0};  ///< [s] of wall time that they get at most
 };
 
-/// Decides when a run is over: its route is done, stuck, or the time is up, and graph and map have
-/// caught up with the last keyframe. Knows no clock; every fact is handed in.
+/// Decides when a run is over: its route is done, its exploration has ended, the robot is stuck, or
+/// the time is up, and graph and map have caught up with the last keyframe. Knows no clock; every
+/// fact is handed in.
 class RunEnd {
  public:
   enum class Phase { kRunning, kSettling, kOver };
