@@ -15,8 +15,8 @@ namespace omega_slam {
 class MapNews {
  public:
   struct News {
-    std::vector<mapping::PlacedSweep> keyframes;  ///< that this map has and the last one had not;
-                                                  ///< empty: anything may have changed
+    std::vector<mapping::PlacedSweep> keyframes;   ///< that this map has and the last one had not;
+                                                   ///< empty: anything may have changed
     std::optional<exploration::MapMotion> motion;  ///< if keyframes have moved
   };
 
