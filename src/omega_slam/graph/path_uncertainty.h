@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "omega_slam/graph/pose_graph.h"
+
+namespace omega_slam::graph {
+
+/// How well the nodes of a graph are known from one of them: along the surest path of constraints
+/// to each. What it says is never less than the marginal covariance, since other paths can only
+/// add information, and it costs a search instead of a factorisation: the Dijkstra projection of
+/// Bosse et al. 2004 ("Simultaneous localization and map building in large-scale cyclic
+/// environments using the Atlas framework", IJRR 23, section 4.1).
+///
+/// Deviation: paths are compared by a sum over their constraints, the variance of the translation
+/// and that of the rotation at an arm of 2 m; covariances are compounded along the winners only.
+/// O((n + m) log n).
+class PathUncertainty {
+ public:
+  /// @param graph solved; constraints that say too little to be inverted lead nowhere
+  /// @param root a node of it
+  PathUncertainty(const PoseGraph& graph, NodeId root);
+
+  [[nodiscard]] bool reaches(NodeId node) const { return hops_[node] >= 0; }
+  /// Constraints on the path; -1 where there is none.
+  [[nodiscard]] int hops(NodeId node) const { return hops_[node]; }
+  /// Of `T_root_node`, (x, y, theta) in the axes of the root [m^2, m rad, rad^2]; only where it
+  /// reaches.
+  [[nodiscard]] const Eigen::Matrix3d& covariance(NodeId node) const { return covariances_[node]; }
+  /// [m] of the place, along the axis that is known least; infinite where there is no path.
+  [[nodiscard]] double placeDeviation(NodeId node) const;
+  /// [rad] likewise
+  [[nodiscard]] double headingDeviation(NodeId node) const;
+
+ private:
+  std::vector<int> hops_;
+  std::vector<Eigen::Matrix3d> covariances_;
+};
+
+}  // namespace omega_slam::graph
