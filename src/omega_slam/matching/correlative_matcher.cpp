@@ -92,7 +92,8 @@ class Attempt {
                settings.match.outlier_distance),
         search_(placesOf(field_.surfaces().samples), pointsToSearchWith(scan_, settings.match),
                 guess,
-                {settings.own.window, settings.own.resolution, settings.match.outlier_distance}),
+                {settings.own.window, settings.own.resolution, settings.match.outlier_distance,
+                 settings.own.least_score}),
         refinement_(field_, scan_) {}
 
   [[nodiscard]] CorrelativeMatch run(std::size_t count) const {
@@ -150,6 +151,7 @@ std::vector<std::string> CorrelativeMatcherConfig::validate() const {
   violations.requireWithin("window/translation", window.translation, 0.0, 10.0);
   violations.requireWithin("window/rotation", window.rotation, 0.0, 3.15);
   violations.requireWithin("resolution", resolution, 0.002, 1.0);
+  violations.requireWithin("least_score", least_score, 0.0, 1.0);
   violations.requireAtLeast("max_refinements", max_refinements, 0);
   return violations.sentences();
 }

@@ -13,6 +13,9 @@ struct CorrelativeMatcherConfig {
   SearchWindow window{0.3, 0.35};  ///< around the guess: what it may be off by
   double resolution{0.02};         ///< [m] of the search; the refinement goes below it
   int max_refinements{20};         ///< steps of the refinement
+  /// [0, 1] Of a peak; where none reaches it, there is no match. More makes hopeless searches
+  /// short.
+  double least_score{0.0};
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };

@@ -167,7 +167,7 @@ class CorrelativeSearch::Frontier {
     for (block.y = first.y; block.y <= std::min(last_y, last); block.y += sideOf(block)) {
       for (block.x = first.x; block.x <= std::min(last_x, last); block.x += sideOf(block)) {
         const int bound = search_.bound(block, scan);
-        if (bound > 0) {
+        if (bound > search_.least_bound_) {
           queue_.push({block, bound});
         }
       }
@@ -193,6 +193,8 @@ CorrelativeSearch::CorrelativeSearch(const Points& surfaces, const Points& scan,
                                      const CorrelativeSearchConfig& config)
     : scan_(scan),
       reach_(config.reach),
+      least_bound_(static_cast<int>(config.least_score * LikelihoodPyramid::kFull *
+                                    static_cast<double>(scan.size()))),
       lattice_(latticeFor(scan, guess, config)),
       pyramid_(cellsOf(surfaces, guess.translation(), config.resolution),
                stepsWithin(config.reach, config.resolution), levelsFor(lattice_)) {}

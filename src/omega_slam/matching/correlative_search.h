@@ -20,6 +20,7 @@ struct CorrelativeSearchConfig {
   SearchWindow window;      ///< around the guess
   double resolution{0.02};  ///< [m] between the poses that are tried
   double reach{0.1};        ///< [m] a point farther from all surfaces adds nothing
+  double least_score{0.0};  ///< [0, 1] poses that score less are of no use, and found sooner
 };
 
 /// The poses that a search tries: a guess and those around it, in even steps along the reference's
@@ -93,6 +94,7 @@ class CorrelativeSearch {
 
   Points scan_;
   double reach_;
+  int least_bound_;
   PoseLattice lattice_;
   LikelihoodPyramid pyramid_;
 };
