@@ -4,6 +4,7 @@
 #include <omega_slam/ExplorationStatus.h>
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
+#include <omega_slam/Tracking.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/String.h>
@@ -68,6 +69,7 @@ class RunRecorder {
   void onOdometry(const nav_msgs::Odometry::ConstPtr& message);
   void onTruth(const nav_msgs::Odometry::ConstPtr& message);
   void onScan(const sensor_msgs::LaserScan::ConstPtr& message);
+  void onTracking(const Tracking::ConstPtr& message);
   void onKeyframe(const Keyframe::ConstPtr& message);
   void onPoseGraph(const PoseGraph::ConstPtr& message);
   void onMap(const nav_msgs::OccupancyGrid::ConstPtr& message);
@@ -116,6 +118,7 @@ void RunRecorder::subscribe(ros::NodeHandle& nh) {
       nh.subscribe(names::kOdometry, kQueue, &RunRecorder::onOdometry, this),
       nh.subscribe(names::kGroundTruth, kQueue, &RunRecorder::onTruth, this),
       nh.subscribe(names::kScan, kQueue, &RunRecorder::onScan, this),
+      nh.subscribe(names::kTracking, kQueue, &RunRecorder::onTracking, this),
       nh.subscribe(names::kKeyframe, kQueue, &RunRecorder::onKeyframe, this),
       nh.subscribe(names::kPoseGraph, 1, &RunRecorder::onPoseGraph, this),
       nh.subscribe(names::kMap, 1, &RunRecorder::onMap, this),
@@ -154,6 +157,15 @@ void RunRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& message) {
   start_ = start_.value_or(wallTime());
   record_.addScan(stamp);
   delays_.begin(kToKeyframe, message->header.stamp.toNSec(), wallTime());
+}
+
+void RunRecorder::onTracking(const Tracking::ConstPtr& message) {
+  const auto track = trackingFromRos(*message);
+  if (!track.value) {
+    ROS_WARN_THROTTLE(5.0, "A tracked scan was not recorded: %s.", track.fault.c_str());
+    return;
+  }
+  record_.addTrack(message->run, *track.value);
 }
 
 void RunRecorder::onKeyframe(const Keyframe::ConstPtr& message) {

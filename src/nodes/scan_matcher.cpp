@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <omega_slam/PoseGraph.h>
+#include <omega_slam/Tracking.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
@@ -8,6 +9,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "nodes/common/conversions.h"
 #include "nodes/common/diagnostics.h"
@@ -46,6 +48,9 @@ class ScanMatcherNode {
         tf_listener_(tf_buffer_),
         diagnostics_(nh, "scan_matcher"),
         publisher_(nh),
+        tracking_publisher_(nh.advertise<Tracking>(names::kTracking, names::kOdometryQueue)),
+        pose_publisher_(nh.advertise<geometry_msgs::PoseWithCovarianceStamped>(names::kTrackedPose,
+                                                                               names::kScanQueue)),
         loops_(config_.loops, publisher_.run(), [this](const auto& constraints, std::uint64_t run) {
           publisher_.publish(constraints, run);
           reportLoops();
@@ -108,7 +113,8 @@ class ScanMatcherNode {
       ROS_INFO("The graph was reset.");
       beginRun();
     } else {
-      loops_.setPoses(std::move(graph.value->poses));
+      front_end_.believe(*graph.value);
+      loops_.setGraph(std::move(*graph.value));
       reportHealth();
     }
   }
@@ -172,17 +178,28 @@ class ScanMatcherNode {
   }
 
   void publish(const slam::FrontEndResult& result, std_msgs::Header header) {
+    publishPose(result.belief, header);
     if (result.match) {
       ++(result.match_trusted ? matches_trusted_ : matches_untrusted_);
       diagnostics_.set("confidence of the last match", result.match->confidence);
     }
+    header.frame_id = config_.base_frame;
+    tracking_publisher_.publish(trackingToRos(result, header, publisher_.run()));
     if (!result.keyframe) {
       return;
     }
-    header.frame_id = config_.base_frame;
     publisher_.publish(*result.keyframe, header, result.constraints);
     loops_.addKeyframe(result.keyframe);
     reportHealth();
+  }
+
+  void publishPose(const slam::Belief& belief, std_msgs::Header header) {
+    geometry_msgs::PoseWithCovarianceStamped message;
+    message.header = std::move(header);
+    message.header.frame_id = config_.map_frame;
+    message.pose.pose = poseToRos(belief.pose);
+    message.pose.covariance = covarianceToRos(belief.covariance);
+    pose_publisher_.publish(message);
   }
 
   void explainWaiting(const WaitingScan& waiting) {
@@ -224,6 +241,8 @@ class ScanMatcherNode {
   tf2_ros::TransformListener tf_listener_;
   Diagnostics diagnostics_;
   RunPublisher publisher_;
+  ros::Publisher tracking_publisher_;
+  ros::Publisher pose_publisher_;
   LoopSearch loops_;
   ros::Subscriber scan_subscriber_;
   ros::Subscriber prediction_subscriber_;

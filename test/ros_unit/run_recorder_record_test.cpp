@@ -11,14 +11,21 @@ using geometry::Pose2;
 
 constexpr double kQuarterTurn = 1.5707963267948966;
 
-/// Ten seconds at 1 m/s along the world's y axis, from (5, 7); the odometry measures 2 % too much
-/// and begins at zero; keyframes at 1 s and 9 s, of which the graph knows the truth.
+/// Ten seconds at 1 m/s along the world's y axis, from (5, 7); odometry and tracking measure 2 %
+/// too much, and the odometry begins at zero; keyframes at 1 s and 9 s, of which the graph knows
+/// the truth.
 RunRecord drive() {
   RunRecord record;
   for (int second = 0; second <= 10; ++second) {
     record.addTruth(second, Pose2{5.0, 7.0 + second, kQuarterTurn});
     record.addOdometry(second, Pose2{1.02 * second, 0.0, 0.0});
     record.addScan(second);
+    const bool is_keyframe = second == 1 || second == 9;
+    if (second >= 1) {  // the first keyframe is the first scan that is tracked
+      const Pose2 tracked{1.02 * (second - (second <= 9 ? 1 : 9)), 0.0, 0.0};
+      record.addTrack(7,
+                      {static_cast<double>(second), second <= 9 ? 0U : 1U, tracked, is_keyframe});
+    }
   }
   record.addKeyframe(0, 1.0);
   record.addKeyframe(1, 9.0);
@@ -58,13 +65,20 @@ TEST(RunRecordTest, WhereTheTruthComesLateALaterKeyframeTells) {
   EXPECT_NEAR(T_world_map->y, 8.0, 1e-9);
 }
 
-TEST(RunRecordTest, EveryScanGetsAPose) {
+TEST(RunRecordTest, EveryTrackedScanGetsAPose) {
   const auto estimate = drive().estimate();
-  ASSERT_EQ(estimate.size(), 11U);
-  EXPECT_NEAR(estimate[1].pose.x, 0.0, 1e-9);
-  EXPECT_NEAR(estimate[5].pose.x, 4.0, 1e-9);
-  EXPECT_NEAR(estimate[9].pose.x, 8.0, 1e-9);
-  EXPECT_NEAR(estimate[10].pose.x, 9.02, 1e-9);
+  ASSERT_EQ(estimate.size(), 10U);
+  EXPECT_NEAR(estimate[0].pose.x, 0.0, 1e-9);
+  EXPECT_NEAR(estimate[4].pose.x, 4.0, 1e-9);
+  EXPECT_NEAR(estimate[8].pose.x, 8.0, 1e-9);
+  EXPECT_NEAR(estimate[9].pose.x, 9.02, 1e-9);
+}
+
+TEST(RunRecordTest, ANewRunForgetsTheTracksOfTheOneBefore) {
+  RunRecord record = drive();
+  record.addTrack(8, {12.0, 0, {}, true});
+  ASSERT_EQ(record.estimate().size(), 1U);
+  EXPECT_EQ(record.estimate()[0].stamp, 12.0);
 }
 
 TEST(RunRecordTest, ThePoseErrorIsTheDistanceFromTheTruth) {

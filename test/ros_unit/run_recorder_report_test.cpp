@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace omega_slam {
 namespace {
 
@@ -21,6 +23,8 @@ RunRecord drive() {
     record.addTruth(second, Pose2{1.0 + x, 1.0, 0.0});
     record.addOdometry(second, Pose2{x, 0.02 * x * x, 0.04 * x});
     record.addScan(second);
+    const auto before = static_cast<graph::NodeId>(std::max(second, 1) - 1);
+    record.addTrack(1, {x, before, Pose2{second > 0 ? 1.0 : 0.0, 0.0, 0.0}, true});
     record.addKeyframe(static_cast<graph::NodeId>(second), second);
     graph.poses.push_back(Pose2{x, second < 5 ? 0.0 : 0.1, 0.0});
     stamps.push_back(second);

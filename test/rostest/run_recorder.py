@@ -15,7 +15,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid, Odometry
-from omega_slam.msg import Constraint, Keyframe, Pose2, PoseGraph
+from omega_slam.msg import Constraint, Keyframe, Pose2, PoseGraph, Tracking
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
@@ -48,6 +48,7 @@ class FakeRun:
             'odom': rospy.Publisher('odom', Odometry, queue_size=100),
             'truth': rospy.Publisher('base_pose_ground_truth', Odometry, queue_size=100),
             'scan': rospy.Publisher('scan', LaserScan, queue_size=100),
+            'tracking': rospy.Publisher('tracking', Tracking, queue_size=100),
             'keyframe': rospy.Publisher('keyframe', Keyframe, queue_size=100),
             'graph': rospy.Publisher('pose_graph', PoseGraph, queue_size=100),
             'map': rospy.Publisher('map', OccupancyGrid, queue_size=100),
@@ -79,10 +80,18 @@ class FakeRun:
             scan = LaserScan()
             scan.header.stamp = rospy.Time.from_sec(second)
             self.publishers['scan'].publish(scan)
+            self.track(second)
             if second % 4 == 0:
                 keyframe = Keyframe(id=second // 4)
                 keyframe.header.stamp = scan.header.stamp
                 self.publishers['keyframe'].publish(keyframe)
+
+    def track(self, second):
+        before = max(second - 1, 0) // 4  # keyframe
+        tracking = Tracking(keyframe_id=before, pose=Pose2(second - 4.0 * before, 0.0, 0.0),
+                            is_keyframe=second % 4 == 0)
+        tracking.header.stamp = rospy.Time.from_sec(second)
+        self.publishers['tracking'].publish(tracking)
 
     def publishTf(self, stamp):
         """The tracked pose 0.3 m ahead of the truth."""

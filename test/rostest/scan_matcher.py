@@ -14,11 +14,11 @@ from tf2_msgs.msg import TFMessage
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from node_test_support import NodeTest  # noqa: E402  (it lies beside this file)
 import synthetic  # noqa: E402
-from synthetic import Pose, poseGraph, roomScan, scan, stamp  # noqa: E402
+from synthetic import Pose, chain, poseGraph, roomScan, scan, stamp  # noqa: E402
 
 NAME = 'scan_matcher'
 MOUNT = Pose(0.1, 0.02, 0.3)
-STEP = Pose(0.4, 0.0, 0.1)  # between two keyframes
+STEP = Pose(0.5, 0.0, 0.1)  # between two keyframes
 SCALE = 1.1  # what the odometry makes of a metre
 
 
@@ -274,7 +274,7 @@ class ScanMatcherTest(NodeTest):
         self.start({'loops': {'min_separation': 3, 'search_radius': 2.0}})
         self.mountLaser()
         run = self.drive(5)[0].run
-        self.graphs.publish(poseGraph(run, [truePose(i) for i in range(5)]))
+        self.graphs.publish(chain(run, [truePose(i) for i in range(5)]))
         loops = self.constraints.waitFor(
             lambda m: m.constraints and m.constraints[0].kind == Constraint.LOOP, 'a loop')
         loop = loops.constraints[0]
@@ -289,7 +289,8 @@ class ScanMatcherTest(NodeTest):
         self.checkBadParameters(NAME, [
             ({'keyframe_translatoin': 0.3}, ['scan_matcher/keyframe_translatoin',
                                              'keyframe_translation']),
-            ({'loops': {'window': {'translatoin': 3}}}, ['loops/window/translatoin', 'translation']),
+            ({'loops': {'max_window': {'translatoin': 3}}},
+             ['loops/max_window/translatoin', 'translation']),
             ({'matcher': 'ipc'}, ['scan_matcher/matcher', 'icp']),
             ({'min_confidence': '0.5'}, ['scan_matcher/min_confidence']),
             ({'laser_pose': [1.0]}, ['laser_pose']),

@@ -175,3 +175,14 @@ def poseGraph(run, poses, seconds=0.0):
     message.poses = [pose.message() for pose in poses]
     message.stamps = [stamp(seconds + i) for i in range(len(poses))]
     return message
+
+
+def chain(run, poses, deviation=0.05):
+    """The same, each keyframe tied to the one before by where it is, give or take a deviation [m], [rad]."""
+    message = poseGraph(run, poses)
+    weight = 1.0 / deviation**2
+    information = [weight, 0.0, 0.0, 0.0, weight, 0.0, 0.0, 0.0, weight]
+    for number, (before, after) in enumerate(zip(poses, poses[1:])):
+        message.constraints.append(Constraint(number, number + 1, (before.inverse() * after).message(),
+                                              information, 1.0, Constraint.ODOMETRY))
+    return message

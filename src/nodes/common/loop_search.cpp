@@ -16,12 +16,12 @@ LoopSearch::~LoopSearch() { stop(); }
 
 void LoopSearch::addKeyframe(slam::KeyframePtr keyframe) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  new_keyframes_.push_back(std::move(keyframe));  // of no use without poses: nobody is woken
+  new_keyframes_.push_back(std::move(keyframe));  // of no use without the graph: nobody is woken
 }
 
-void LoopSearch::setPoses(std::vector<geometry::Pose2> T_map_keyframes) {
+void LoopSearch::setGraph(graph::PoseGraph graph) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  new_poses_ = std::move(T_map_keyframes);
+  new_graph_ = std::move(graph);
   has_mail_ = true;
   mail_.notify_one();
 }
@@ -29,7 +29,7 @@ void LoopSearch::setPoses(std::vector<geometry::Pose2> T_map_keyframes) {
 void LoopSearch::reset(std::uint64_t run) {
   const std::lock_guard<std::mutex> lock(mutex_);
   new_keyframes_.clear();
-  new_poses_.clear();
+  new_graph_ = {};
   new_run_ = run;
   has_mail_ = true;
   searched_ = 0;
@@ -49,29 +49,28 @@ void LoopSearch::stop() {
 }
 
 void LoopSearch::work() {
-  std::vector<geometry::Pose2> poses;
-  while (takeMail(poses)) {
-    if (const std::size_t known = std::min(poses.size(), closer_.size()); searched_ < known) {
-      // One at a time: newer poses, or the end, may have come meanwhile.
-      search(static_cast<graph::NodeId>(searched_), poses);
+  graph::PoseGraph graph;
+  while (takeMail(graph)) {
+    if (const std::size_t known = std::min(graph.poses.size(), closer_.size()); searched_ < known) {
+      // One at a time: a newer graph, or the end, may have come meanwhile.
+      search(static_cast<graph::NodeId>(searched_), graph);
     }
   }
 }
 
-bool LoopSearch::takeMail(std::vector<geometry::Pose2>& poses) {
+bool LoopSearch::takeMail(graph::PoseGraph& graph) {
   std::unique_lock<std::mutex> lock(mutex_);
   mail_.wait(lock, [&] {
-    const bool has_work = searched_ < std::min(poses.size(), closer_.size());
+    const bool has_work = searched_ < std::min(graph.poses.size(), closer_.size());
     return is_stopped_ || has_mail_ || has_work;
   });
   if (run_ != new_run_) {
     run_ = new_run_;
     closer_.reset();
-    poses.clear();
+    graph = {};
   }
-  if (!new_poses_.empty()) {
-    poses = std::move(new_poses_);
-    new_poses_.clear();
+  if (!new_graph_.poses.empty()) {
+    graph = std::exchange(new_graph_, {});
   }
   for (; !new_keyframes_.empty(); new_keyframes_.pop_front()) {
     closer_.addKeyframe(std::move(new_keyframes_.front()));
@@ -80,8 +79,8 @@ bool LoopSearch::takeMail(std::vector<geometry::Pose2>& poses) {
   return !is_stopped_;
 }
 
-void LoopSearch::search(graph::NodeId id, const std::vector<geometry::Pose2>& poses) {
-  const auto constraints = closer_.search(id, poses);
+void LoopSearch::search(graph::NodeId id, const graph::PoseGraph& graph) {
+  const auto constraints = closer_.search(id, graph);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (run_ != new_run_) {

@@ -18,7 +18,7 @@ namespace omega_slam {
 
 /// Looks for loops in a thread of its own, so that scans never wait for it. Each keyframe is
 /// searched once, as soon as the graph has a pose for it. The thread owns the slam::LoopCloser;
-/// everybody else hands over keyframes and poses through a mailbox, under a lock held only for
+/// everybody else hands over keyframes and the graph through a mailbox, under a lock held only for
 /// that.
 class LoopSearch {
  public:
@@ -33,7 +33,7 @@ class LoopSearch {
   LoopSearch& operator=(const LoopSearch&) = delete;
 
   void addKeyframe(slam::KeyframePtr keyframe);  ///< in the order of their ids, without gaps
-  void setPoses(std::vector<geometry::Pose2> T_map_keyframes);  ///< as the graph now believes
+  void setGraph(graph::PoseGraph graph);         ///< as it is now solved
   void reset(std::uint64_t run);  ///< forgets all; what is being searched is thrown away
   void stop();                    ///< after the search that is going on
 
@@ -43,8 +43,8 @@ class LoopSearch {
  private:
   void work();
   /// Waits for something to do and takes it over. @return whether to go on
-  bool takeMail(std::vector<geometry::Pose2>& poses);
-  void search(graph::NodeId id, const std::vector<geometry::Pose2>& poses);
+  bool takeMail(graph::PoseGraph& graph);
+  void search(graph::NodeId id, const graph::PoseGraph& graph);
 
   Found found_;
   // Of the thread alone.
@@ -54,7 +54,7 @@ class LoopSearch {
   std::mutex mutex_;
   std::condition_variable mail_;
   std::deque<slam::KeyframePtr> new_keyframes_;
-  std::vector<geometry::Pose2> new_poses_;
+  graph::PoseGraph new_graph_;
   std::uint64_t new_run_;
   bool has_mail_{false};
   bool is_stopped_{false};

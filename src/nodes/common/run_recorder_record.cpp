@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "omega_slam/slam/scan_trajectory.h"
-
 namespace omega_slam {
 namespace {
 
@@ -41,6 +39,14 @@ void RunRecord::addTruth(double stamp, const geometry::Pose2& T_world_base) {
 
 void RunRecord::addScan(double stamp) { scan_stamps_.push_back(stamp); }
 
+void RunRecord::addTrack(std::uint64_t run, const slam::ScanTrack& track) {
+  if (run != run_) {
+    tracks_.clear();
+    run_ = run;
+  }
+  tracks_.push_back(track);
+}
+
 void RunRecord::addKeyframe(graph::NodeId id, double stamp) {
   advance(stamp);
   keyframes_ = std::size_t{id} + 1;
@@ -59,14 +65,7 @@ void RunRecord::setMap(grid::OccupancyGrid map, double stamp) {
 }
 
 geometry::Trajectory RunRecord::estimate() const {
-  std::vector<slam::KeyframePlacement> placements;
-  placements.reserve(graph_stamps_.size());
-  for (std::size_t node = 0; node < graph_stamps_.size(); ++node) {
-    if (const auto T_odom_base = odometry_.at(graph_stamps_[node])) {
-      placements.push_back({graph_stamps_[node], *T_odom_base, graph_.poses[node]});
-    }
-  }
-  return slam::scanTrajectory(scan_stamps_, odometry_, placements);
+  return slam::scanTrajectory(tracks_, graph_.poses);
 }
 
 geometry::Trajectory RunRecord::truth() const { return sample(truth_, scan_stamps_); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "omega_slam/grid/occupancy_grid.h"
 #include "omega_slam/motion/odometry_buffer.h"
 #include "omega_slam/slam/back_end.h"
+#include "omega_slam/slam/scan_trajectory.h"
 
 namespace omega_slam {
 
@@ -19,6 +21,8 @@ class RunRecord {
   void addOdometry(double stamp, const geometry::Pose2& T_odom_base);
   void addTruth(double stamp, const geometry::Pose2& T_world_base);
   void addScan(double stamp);
+  /// @param run that its keyframe belongs to; tracks of the run before are forgotten
+  void addTrack(std::uint64_t run, const slam::ScanTrack& track);
   /// @param id of the keyframe in its run: 0, 1, 2, ...
   void addKeyframe(graph::NodeId id, double stamp);
   /// @param stamps [s] of the graph's nodes; as many as it has poses
@@ -28,7 +32,7 @@ class RunRecord {
   void setMap(grid::OccupancyGrid map, double stamp);
   void clear() { *this = RunRecord(); }
 
-  /// `T_map_base` at each scan, in the order of the scans.
+  /// `T_map_base` at each scan that was tracked, in the order of the scans.
   [[nodiscard]] geometry::Trajectory estimate() const;
   /// `T_world_base` at each scan.
   [[nodiscard]] geometry::Trajectory truth() const;
@@ -57,6 +61,8 @@ class RunRecord {
   motion::OdometryBuffer odometry_{kForever};
   motion::OdometryBuffer truth_{kForever};
   std::vector<double> scan_stamps_;
+  std::vector<slam::ScanTrack> tracks_;
+  std::uint64_t run_{0};  ///< of the tracks
   std::size_t keyframes_{0};
   graph::PoseGraph graph_;
   slam::BeliefAccount beliefs_;

@@ -143,6 +143,29 @@ std::vector<Constraint> constraintsToRos(const std::vector<graph::Constraint>& c
   return messages;
 }
 
+Tracking trackingToRos(const slam::FrontEndResult& result, const std_msgs::Header& header,
+                       std::uint64_t run) {
+  Tracking message;
+  message.header = header;
+  message.run = run;
+  message.keyframe_id = result.keyframe_before;
+  message.pose = pose2ToRos(result.T_keyframe_base);
+  message.is_keyframe = result.keyframe != nullptr;
+  message.match_trusted = result.match_trusted;
+  message.confidence = result.match ? result.match->confidence : 0.0;
+  return message;
+}
+
+Reading<slam::ScanTrack> trackingFromRos(const Tracking& tracking) {
+  const auto pose = poseFromRos(tracking.pose);
+  if (!pose) {
+    return {std::nullopt, "tracked pose is not finite"};
+  }
+  return {slam::ScanTrack{tracking.header.stamp.toSec(), tracking.keyframe_id, *pose,
+                          tracking.is_keyframe != 0},
+          {}};
+}
+
 Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
   if (graph.stamps.size() != graph.poses.size()) {
     return {std::nullopt, "pose graph has not as many stamps as poses"};

@@ -3,6 +3,7 @@
 #include <omega_slam/Constraint.h>
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
+#include <omega_slam/Tracking.h>
 #include <ros/time.h>
 #include <std_msgs/Header.h>
 
@@ -13,7 +14,9 @@
 
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/slam/back_end.h"
+#include "omega_slam/slam/front_end.h"
 #include "omega_slam/slam/keyframe.h"
+#include "omega_slam/slam/scan_trajectory.h"
 
 /// Between the messages of this package and the library's types. Pure functions. Messages come from
 /// anywhere: reading one gives its value or the reason why it can't be used.
@@ -51,6 +54,13 @@ struct Reading {
 /// Faults: as many stamps as poses there must be, poses finite, constraints sound and between nodes
 /// that exist.
 [[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
+
+/// Where the front end has tracked a scan. @param header the scan's own stamp; the base frame
+[[nodiscard]] Tracking trackingToRos(const slam::FrontEndResult& result,
+                                     const std_msgs::Header& header, std::uint64_t run);
+
+/// Faults: a pose that is not finite.
+[[nodiscard]] Reading<slam::ScanTrack> trackingFromRos(const Tracking& tracking);
 
 /// Run and header are left to the caller. @param stamps of the keyframes, as many as there are
 /// poses

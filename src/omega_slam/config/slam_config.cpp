@@ -120,7 +120,9 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.read("max_candidates", config.max_candidates, kCount);
   reader.read("neighbours", config.neighbours, kCount);
   reader.read("min_confidence", config.min_confidence, kShare);
-  read(reader.group("window"), config.window);
+  reader.read("max_contradiction", config.max_contradiction, kShare);
+  reader.read("min_deviation", config.min_deviation, kLength);
+  read(reader.group("max_window"), config.max_window);
   reader.faults(config.validate());
 }
 
@@ -130,6 +132,12 @@ void readKernel(ParameterReader& reader, const std::string& key, graph::RobustKe
   reader.read(key, name, graph::kernelNames());
   kernel.kind = graph::kernelFromName(name);
   reader.read(key + "_width", kernel.width, {0.01, 1000.0});
+}
+
+void read(ParameterReader reader, slam::SurroundingsConfig& config) {
+  reader.read("radius", config.radius, kPositiveLength);
+  reader.read("max_deviation", config.max_deviation, kPositiveLength);
+  reader.read("max_keyframes", config.max_keyframes, kPositiveCount);
 }
 
 void read(ParameterReader reader, graph::SolverConfig& config) {
@@ -180,6 +188,7 @@ void read(ParameterReader& reader, MotionModelNodeConfig& config) {
 }
 
 void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
+  readFrame(reader, "map_frame", config.map_frame);
   readFrame(reader, "base_frame", config.base_frame);
   readLaserPose(reader, config.laser_pose);
   reader.read("odometry_wait", config.odometry_wait, kDuration);
@@ -188,8 +197,8 @@ void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
   reader.read("keyframe_translation", front_end.keyframe_translation, kPositiveLength);
   reader.read("keyframe_rotation", front_end.keyframe_rotation, {0.001, 3.15});
   reader.read("keyframe_time", front_end.keyframe_time, kDuration);
-  reader.read("local_keyframes", front_end.local_keyframes, kPositiveCount);
   reader.read("min_confidence", front_end.min_confidence, kShare);
+  read(reader.group("surroundings"), front_end.surroundings);
   read(reader, front_end.matching);
   reader.faults(front_end.validate());
   config.loops.match = front_end.matching.match;  // it is of the laser, not of the use

@@ -29,6 +29,7 @@ struct ScanMatcherNodeConfig {
   sensing::ScanIntakeConfig intake;
   slam::FrontEndConfig front_end;
   slam::LoopCloserConfig loops;
+  std::string map_frame{"map"};
   std::string base_frame{"base_footprint"};
   double odometry_wait{
       0.5};  ///< [s] a scan waits so long for the odometry of its time, then is dropped and counted

@@ -16,8 +16,8 @@ namespace omega_slam::matching {
 
 /// Which matcher, and how each of them works: a choice at run time.
 struct MatcherConfig {
-  std::string matcher{"icp"};  ///< one of matcherNames()
-  MatchConfig match;           ///< of all
+  std::string matcher{"scan_to_map"};  ///< one of matcherNames()
+  MatchConfig match;                   ///< of all
   CorrelativeMatcherConfig correlative;
   HillClimbingConfig hill_climbing;
   IcpMatcherConfig icp;

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,15 +9,17 @@
 #include "omega_slam/matching/matcher_factory.h"
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
+#include "omega_slam/slam/scan_tracker.h"
+#include "omega_slam/slam/surroundings.h"
 
 namespace omega_slam::slam {
 
 struct FrontEndConfig {
-  double keyframe_translation{0.3};  ///< [m] a keyframe after so much driving,
-  double keyframe_rotation{0.35};    ///< [rad] or turning,
+  double keyframe_translation{0.4};  ///< [m] a keyframe after so much driving,
+  double keyframe_rotation{0.4};     ///< [rad] or turning,
   double keyframe_time{10.0};        ///< [s] or waiting; 0: never by time alone
-  int local_keyframes{6};            ///< the newest keyframes whose points a scan is matched with
   double min_confidence{0.5};        ///< [0, 1] matches below leave the odometry alone
+  SurroundingsConfig surroundings;
   matching::MatcherConfig matching;
 
   [[nodiscard]] std::vector<std::string> validate() const;
@@ -28,13 +28,17 @@ struct FrontEndConfig {
 /// What one sweep has led to.
 struct FrontEndResult {
   KeyframePtr keyframe;                        ///< the new keyframe, or null
-  std::vector<graph::Constraint> constraints;  ///< that tie it to the keyframes before
+  std::vector<graph::Constraint> constraints;  ///< that tie it to the keyframe before
   std::optional<matching::MatchResult> match;  ///< where a match was tried
-  bool match_trusted{false};                   ///< whether that match became a constraint
+  bool match_trusted{false};                   ///< whether that match had a say
+  graph::NodeId keyframe_before{0};  ///< the newest before the sweep; the first has itself
+  geometry::Pose2 T_keyframe_base;   ///< where the sweep was taken, seen from that
+  /// Where the graph and the tracking put the base, `T_map_base`.
+  Belief belief;
 };
 
-/// From sweeps to keyframes and constraints: decides what is kept, and matches it with the newest
-/// keyframes. Not thread-safe: one owner calls it.
+/// From sweeps to keyframes and constraints: every sweep is tracked on a map of the surroundings,
+/// and some are kept. Not thread-safe: one owner calls it.
 class FrontEnd {
  public:
   explicit FrontEnd(const FrontEndConfig& config = {});  ///< @throws std::invalid_argument
@@ -44,26 +48,29 @@ class FrontEnd {
   [[nodiscard]] FrontEndResult process(const sensing::Sweep& sweep,
                                        const motion::Prediction& prediction);
 
+  /// Takes over what the graph now believes of the keyframes.
+  void believe(const graph::PoseGraph& graph);
+
   void reset();  ///< forgets all; the next sweep is keyframe 0
 
+  [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
+
  private:
-  struct LocalKeyframe {
-    KeyframePtr keyframe;
-    geometry::Pose2 T_local_base;  ///< in a local frame that drifts, but slowly
-    matching::View view;           ///< from the base
-  };
-  /// Constraints from the newest keyframe to a fresh one; the match, where trusted, moves the fresh
-  /// one.
-  void tieToNewest(LocalKeyframe& fresh, const motion::Prediction& prediction,
-                   FrontEndResult& result) const;
+  [[nodiscard]] FrontEndResult begin(const sensing::Sweep& sweep,
+                                     const motion::Prediction& prediction);
+  [[nodiscard]] OdometryStep stepTo(const motion::Prediction& prediction) const;
+  void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                    const TrackedScan& tracked, FrontEndResult& result);
+  [[nodiscard]] graph::Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
+                                                     const Eigen::Matrix3d& covariance_in_odom,
+                                                     const TrackedScan& tracked) const;
   [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
-  /// What the local keyframes saw, in the frame of the newest.
-  [[nodiscard]] matching::Reference surroundings() const;
 
   FrontEndConfig config_;
-  std::unique_ptr<const matching::ScanMatcher> matcher_;
-  std::deque<LocalKeyframe> local_;
-  graph::NodeId next_id_{0};
+  ScanTracker tracker_;
+  Surroundings surroundings_;
+  Belief belief_;            ///< `T_local_base` at the last sweep
+  motion::Prediction last_;  ///< of the last sweep
 };
 
 }  // namespace omega_slam::slam

@@ -2,14 +2,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "omega_slam/geometry/validation.h"
+#include "omega_slam/matching/sight_check.h"
 
 namespace omega_slam::slam {
 
 using geometry::Pose2;
 using graph::Constraint;
 using graph::NodeId;
+using matching::SearchWindow;
+
+namespace {
+
+// To each side that a window spans. Covariances of matches are bounds, so that two of these are
+// four of what is seen.
+constexpr double kDeviations = 2.0;
+// What a window spans at least: the graph's belief of neighbours is not perfect either.
+constexpr SearchWindow kLeastWindow{0.2, 0.1};
+
+// Wide windows cost time and can mislead: not every keyframe is searched for in them, and what is
+// found is to be confirmed.
+constexpr double kWide = 1.0;           // [m]
+constexpr NodeId kWideSpacing = 3;      // keyframes
+constexpr double kCoarse = 0.4;         // [m] windows from which on the search takes longer steps
+constexpr double kLongSteps = 0.05;     // [m]
+constexpr double kLeastScore = 0.5;     // of the search; what is confident scores far more
+constexpr double kMostAmbiguity = 0.9;  // score of a rival
+constexpr NodeId kMemory = 30;          // keyframes that a loop waits for a second one
+
+// Two loops agree if they differ by no more in where they put the robot.
+constexpr double kAgreeTranslation = 0.3;  // [m]
+constexpr double kAgreeRotation = 0.05;    // [rad]
+
+bool isWide(const SearchWindow& window) { return window.translation > kWide; }
+
+/// What a keyframe and its neighbours in time saw, in its frame; its own view is the last.
+matching::Reference surroundingsOf(NodeId center, NodeId reach,
+                                   const std::vector<KeyframePtr>& keyframes,
+                                   const std::vector<Pose2>& poses) {
+  const NodeId first = center > reach ? center - reach : 0;
+  const auto last = std::min<NodeId>(
+      center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));
+  matching::Reference reference;
+  for (NodeId id = first; id <= last; ++id) {
+    if (id != center) {
+      const Pose2 T_center_id = relativePose(poses[center], poses[id]);
+      reference.push_back(matching::transformed(T_center_id, viewOf(keyframes[id]->sweep)));
+    }
+  }
+  reference.push_back(viewOf(keyframes[center]->sweep));
+  return reference;
+}
+
+/// Whether two loops, followed one after the other with the graph's paths between, lead back.
+bool agree(const Constraint& a, const Constraint& b, const std::vector<Pose2>& poses) {
+  const Pose2 by_a = a.T_from_to * relativePose(poses[a.to], poses[b.to]);
+  const Pose2 by_b = relativePose(poses[a.from], poses[b.from]) * b.T_from_to;
+  const Pose2 gap = relativePose(by_a, by_b);
+  return std::hypot(gap.x, gap.y) <= kAgreeTranslation && std::abs(gap.theta) <= kAgreeRotation;
+}
+
+}  // namespace
 
 std::vector<std::string> LoopCloserConfig::validate() const {
   geometry::Violations violations;
@@ -18,67 +73,65 @@ std::vector<std::string> LoopCloserConfig::validate() const {
   violations.requireAtLeast("max_candidates", max_candidates, 0);
   violations.requireAtLeast("neighbours", neighbours, 0);
   violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
-  violations.requireWithin("window/translation", window.translation, 0.0, 10.0);
-  violations.requireWithin("window/rotation", window.rotation, 0.0, 3.15);
+  violations.requireWithin("max_contradiction", max_contradiction, 0.0, 1.0);
+  violations.requireAtLeast("min_deviation", min_deviation, 0.0);
+  violations.requireWithin("max_window/translation", max_window.translation, 0.0, 10.0);
+  violations.requireWithin("max_window/rotation", max_window.rotation, 0.0, 3.15);
   violations.include("match", match.validate());
   return violations.sentences();
 }
 
-namespace {
-
-matching::CorrelativeMatcherConfig matcherConfig(const LoopCloserConfig& config) {
-  matching::CorrelativeMatcherConfig matcher;
-  matcher.window = config.window;
-  return matcher;
-}
-
-}  // namespace
-
-LoopCloser::LoopCloser(const LoopCloserConfig& config)
-    : config_(config), matcher_(matcherConfig(config), config.match) {
+LoopCloser::LoopCloser(const LoopCloserConfig& config) : config_(config) {
   geometry::throwIfAny(config_.validate());
 }
 
 void LoopCloser::addKeyframe(KeyframePtr keyframe) { keyframes_.push_back(std::move(keyframe)); }
 
-void LoopCloser::reset() { keyframes_.clear(); }
+void LoopCloser::reset() { *this = LoopCloser(config_); }
 
-std::vector<Constraint> LoopCloser::search(NodeId id, const std::vector<Pose2>& poses) const {
-  std::vector<Constraint> loops;
-  if (id >= keyframes_.size() || id >= poses.size()) {
-    return loops;
+std::vector<Constraint> LoopCloser::search(NodeId id, const graph::PoseGraph& graph) {
+  if (id >= keyframes_.size() || id >= graph.poses.size()) {
+    return {};
   }
-  const matching::View scan = viewOf(keyframes_[id]->sweep);
-  for (const NodeId candidate : candidates(id, poses)) {
-    const matching::Reference reference = surroundings(candidate, poses);
-    const Pose2 believed = relativePose(poses[candidate], poses[id]);
-    const auto match = matcher_.match(reference, scan, believed);
-    // A place that leaves a direction open could be any other one along it.
-    if (match.confidence >= config_.min_confidence &&
-        match.failure != matching::MatchFailure::kDegenerate) {
-      loops.push_back(matchConstraint(candidate, id, match, graph::ConstraintKind::kLoop));
+  for (const Candidate& candidate : candidates(id, graph)) {
+    auto loops = tryCandidate(id, candidate, graph);
+    if (!loops.empty()) {
+      return loops;  // with it, less would be learnt of the others
     }
   }
-  return loops;
+  return {};
 }
 
-std::vector<NodeId> LoopCloser::candidates(NodeId id, const std::vector<Pose2>& poses) const {
-  std::vector<NodeId> near;
+/// Earlier keyframes worth a match with `id`, those first of which most would be learnt.
+std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
+                                                          const graph::PoseGraph& graph) const {
+  const graph::PathUncertainty known(graph, id);
   const auto separation = static_cast<NodeId>(config_.min_separation);
+  std::vector<Candidate> all;
   for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
-    if (distance(poses[earlier], poses[id]) <= config_.search_radius) {
-      near.push_back(earlier);
+    const double deviation = known.placeDeviation(earlier);
+    const double way = distance(graph.poses[earlier], graph.poses[id]);
+    const double span = std::min(kDeviations * deviation, config_.max_window.translation);
+    if (!(way - span <= config_.search_radius && deviation >= config_.min_deviation)) {
+      continue;
+    }
+    const double turn =
+        std::min(kDeviations * known.headingDeviation(earlier), config_.max_window.rotation);
+    const SearchWindow window{std::max(span, kLeastWindow.translation),
+                              std::max(turn, kLeastWindow.rotation)};
+    if (!isWide(window) || id % kWideSpacing == 0) {
+      all.push_back(
+          {earlier, deviation / (1.0 + std::pow(way / config_.search_radius, 2)), window});
     }
   }
-  std::stable_sort(near.begin(), near.end(), [&](NodeId a, NodeId b) {
-    return distance(poses[a], poses[id]) < distance(poses[b], poses[id]);
-  });
-  // Neighbours on one pass say much the same: of each pass, only the nearest.
-  std::vector<NodeId> chosen;
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+  // Neighbours on one pass say much the same: of each pass, only the best.
+  std::vector<Candidate> chosen;
   const auto apart = static_cast<NodeId>(2 * config_.neighbours + 1);
-  for (const NodeId candidate : near) {
-    const bool is_new = std::none_of(chosen.begin(), chosen.end(), [&](NodeId other) {
-      return std::max(candidate, other) - std::min(candidate, other) < apart;
+  for (const Candidate& candidate : all) {
+    const bool is_new = std::none_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
+      return std::max(candidate.id, other.id) - std::min(candidate.id, other.id) < apart;
     });
     if (is_new && chosen.size() < static_cast<std::size_t>(config_.max_candidates)) {
       chosen.push_back(candidate);
@@ -87,16 +140,60 @@ std::vector<NodeId> LoopCloser::candidates(NodeId id, const std::vector<Pose2>& 
   return chosen;
 }
 
-matching::Reference LoopCloser::surroundings(NodeId center, const std::vector<Pose2>& poses) const {
-  const auto reach = static_cast<NodeId>(config_.neighbours);
-  const NodeId first = center > reach ? center - reach : 0;
-  const auto last = std::min<NodeId>(center + reach, static_cast<NodeId>(keyframes_.size() - 1));
-  matching::Reference reference;
-  for (NodeId id = first; id <= last; ++id) {
-    const Pose2 T_center_id = relativePose(poses[center], poses[id]);
-    reference.push_back(matching::transformed(T_center_id, viewOf(keyframes_[id]->sweep)));
+std::vector<Constraint> LoopCloser::tryCandidate(NodeId id, const Candidate& candidate,
+                                                 const graph::PoseGraph& graph) {
+  matching::CorrelativeMatcherConfig config;
+  config.window = candidate.window;
+  config.least_score = kLeastScore;
+  if (candidate.window.translation > kCoarse) {
+    config.resolution = kLongSteps;
   }
-  return reference;
+  const auto reference = surroundingsOf(candidate.id, static_cast<NodeId>(config_.neighbours),
+                                        keyframes_, graph.poses);
+  const matching::View scan = viewOf(keyframes_[id]->sweep);
+  const Pose2 believed = relativePose(graph.poses[candidate.id], graph.poses[id]);
+  const auto match = matching::CorrelativeMatcher(config, config_.match)
+                         .matchWithPeaks(reference, scan, believed, 1);
+  const matching::MatchResult& found = match.result;
+  // A place that leaves a direction open could be any other one along it.
+  if (found.confidence < config_.min_confidence ||
+      found.failure == matching::MatchFailure::kDegenerate) {
+    return {};
+  }
+  const auto sight = matching::checkSightBothWays(
+      reference.back(), matching::transformed(found.T_reference_scan, scan));
+  if (sight.contradiction() > config_.max_contradiction) {
+    return {};
+  }
+  const bool is_wide = isWide(candidate.window);
+  if (is_wide) {
+    config.least_score = kMostAmbiguity * match.peaks.front().score;
+    const matching::CorrelativeMatcher rivals(config, config_.match);
+    if (rivals.matchWithPeaks(reference, scan, believed, 2).peaks.size() > 1) {
+      return {};
+    }
+  }
+  const Constraint loop = matchConstraint(candidate.id, id, found, graph::ConstraintKind::kLoop);
+  return is_wide ? confirm(loop, graph) : std::vector<Constraint>{loop};
+}
+
+/// The loop with those that agree with it; none as long as it stands alone.
+std::vector<Constraint> LoopCloser::confirm(const Constraint& loop, const graph::PoseGraph& graph) {
+  std::vector<Constraint> agreeing;
+  std::vector<Constraint> others;
+  for (const Constraint& earlier : unconfirmed_) {
+    if (earlier.to + kMemory >= loop.to) {
+      const bool is_other = earlier.to != loop.to;  // what one scan says twice is said once
+      (is_other && agree(earlier, loop, graph.poses) ? agreeing : others).push_back(earlier);
+    }
+  }
+  unconfirmed_ = std::move(others);
+  if (agreeing.empty()) {
+    unconfirmed_.push_back(loop);
+  } else {
+    agreeing.push_back(loop);
+  }
+  return agreeing;
 }
 
 }  // namespace omega_slam::slam

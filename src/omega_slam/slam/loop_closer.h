@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/graph/path_uncertainty.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/slam/keyframe.h"
@@ -11,19 +12,31 @@
 namespace omega_slam::slam {
 
 struct LoopCloserConfig {
-  double search_radius{3.0};  ///< [m] keyframes nearer than this are candidates
+  double search_radius{3.0};  ///< [m] places seen from so near look alike
   int min_separation{20};     ///< keyframes between a candidate and the newest
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
-  double min_confidence{0.8};  ///< [0, 1]
-  /// Around where the graph believes the keyframe to be.
-  matching::SearchWindow window{1.0, 0.3};
+  double min_confidence{0.8};      ///< [0, 1]
+  double max_contradiction{0.15};  ///< [0, 1] of points, those that were seen through
+  /// Places that are known so well from here need no loop: a match would hardly say more.
+  double min_deviation{0.02};  ///< [m]
+  /// Largest that is searched, however little is known.
+  matching::SearchWindow max_window{6.0, 3.15};
   matching::MatchConfig match;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
 /// Finds places that the robot has been to before. Not thread-safe: one owner calls it.
+///
+/// Where and how far to look comes from the uncertainty of the graph, not from a fixed radius: a
+/// candidate is any earlier keyframe whose place, within three deviations of what the graph knows
+/// of it from here, could be the robot's. Those come first of which most would be learnt. The
+/// window that is searched is three deviations wide.
+///
+/// A match must be confident, leave no direction open, and no view may see through the walls of
+/// the other (sight_check.h). One from a wide window must have no rival that fits nearly as well,
+/// and waits until another one, from another keyframe, tells the same of where the robot is.
 class LoopCloser {
  public:
   explicit LoopCloser(const LoopCloserConfig& config = {});  ///< @throws std::invalid_argument
@@ -33,24 +46,30 @@ class LoopCloser {
 
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
 
-  /// Matches keyframe `id` with earlier ones near it.
-  /// @param poses `T_map_i` for keyframes 0, 1, ... as the graph now believes; must reach to `id`
-  [[nodiscard]] std::vector<graph::Constraint> search(
-      graph::NodeId id, const std::vector<geometry::Pose2>& poses) const;
+  /// Matches keyframe `id` with earlier ones that may be near it.
+  /// @param graph as it is now solved; must reach to `id`
+  [[nodiscard]] std::vector<graph::Constraint> search(graph::NodeId id,
+                                                      const graph::PoseGraph& graph);
 
   void reset();
 
  private:
-  /// Earlier keyframes worth a match with `id`, nearest first.
-  [[nodiscard]] std::vector<graph::NodeId> candidates(
-      graph::NodeId id, const std::vector<geometry::Pose2>& poses) const;
-  /// What a keyframe and its neighbours in time saw, in its frame.
-  [[nodiscard]] matching::Reference surroundings(graph::NodeId center,
-                                                 const std::vector<geometry::Pose2>& poses) const;
+  struct Candidate {
+    graph::NodeId id{0};
+    double gain{0.0};
+    matching::SearchWindow window;
+  };
+  [[nodiscard]] std::vector<Candidate> candidates(graph::NodeId id,
+                                                  const graph::PoseGraph& graph) const;
+  [[nodiscard]] std::vector<graph::Constraint> tryCandidate(graph::NodeId id,
+                                                            const Candidate& candidate,
+                                                            const graph::PoseGraph& graph);
+  [[nodiscard]] std::vector<graph::Constraint> confirm(const graph::Constraint& loop,
+                                                       const graph::PoseGraph& graph);
 
   LoopCloserConfig config_;
-  matching::CorrelativeMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;
+  std::vector<graph::Constraint> unconfirmed_;  ///< from wide windows, the newest last
 };
 
 }  // namespace omega_slam::slam

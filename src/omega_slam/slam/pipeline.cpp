@@ -1,8 +1,7 @@
 #include "omega_slam/slam/pipeline.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "omega_slam/slam/scan_trajectory.h"
 
 namespace omega_slam::slam {
 
@@ -26,7 +25,8 @@ ScanOutcome Pipeline::process(const sensing::LaserScan& scan, const sensing::Las
   outcome.rejection = taken.rejection;
   outcome.repairs = std::move(taken.repairs);
   if (std::isfinite(scan.stamp)) {
-    tracks_.push_back({scan.stamp, T_odom_base});
+    const auto newest = static_cast<graph::NodeId>(std::max<std::size_t>(keyframes_.size(), 1) - 1);
+    tracks_.push_back({scan.stamp, newest, carriedOn(T_odom_base), false});
   }
   if (!taken.sweep) {
     return outcome;
@@ -34,6 +34,10 @@ ScanOutcome Pipeline::process(const sensing::LaserScan& scan, const sensing::Las
   const motion::Prediction prediction = predictor_.predict(scan.stamp, T_odom_base);
   const FrontEndResult result = front_end_.process(*taken.sweep, prediction);
   outcome.match_untrusted = result.match && !result.match_trusted;
+  T_odom_tracked_ = T_odom_base;
+  T_keyframe_tracked_ = result.keyframe ? Pose2{} : result.T_keyframe_base;
+  tracks_.back().T_keyframe_base = result.T_keyframe_base;
+  tracks_.back().is_keyframe = result.keyframe != nullptr;
   if (result.keyframe) {
     addKeyframe(result, outcome);
   }
@@ -45,43 +49,32 @@ void Pipeline::addKeyframe(const FrontEndResult& result, ScanOutcome& outcome) {
   const graph::NodeId id = result.keyframe->id;
   predictor_.anchor(result.keyframe->T_odom_base);
   keyframes_.push_back(result.keyframe);
-  keyframe_tracks_.push_back(tracks_.size() - 1);
   back_end_.addKeyframe(id, result.keyframe->T_odom_base, result.constraints);
   loops_.addKeyframe(result.keyframe);
-  const auto loops = loops_.search(id, back_end_.graph().poses);
+  const auto loops = loops_.search(id, graph());
   outcome.loops = loops.size();
   back_end_.addConstraints(loops);
+  front_end_.believe(graph());
 }
 
 const graph::SolveReport& Pipeline::finish() { return back_end_.solve(); }
 
+/// A scan that was not tracked, seen from the newest keyframe: by the odometry since the last that
+/// was.
+Pose2 Pipeline::carriedOn(const Pose2& T_odom_base) const {
+  return keyframes_.empty() ? T_odom_base
+                            : T_keyframe_tracked_ * relativePose(T_odom_tracked_, T_odom_base);
+}
+
 geometry::Trajectory Pipeline::trajectory() const {
-  std::vector<KeyframePlacement> placements;
-  for (const KeyframePtr& keyframe : keyframes_) {
-    placements.push_back(
-        {keyframe->sweep.stamp, keyframe->T_odom_base, graph().poses[keyframe->id]});
+  if (!keyframes_.empty()) {
+    return scanTrajectory(tracks_, graph().poses);
   }
-  geometry::Trajectory trajectory;
-  trajectory.reserve(tracks_.size());
-  std::size_t next = 0;  // first keyframe at or after the scan
-  for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    while (next < placements.size() && keyframe_tracks_[next] < i) {
-      ++next;
-    }
-    const Pose2& T_odom_base = tracks_[i].T_odom_base;
-    Pose2 T_map_base = T_odom_base;  // without a keyframe there is nothing better
-    if (next > 0 && next < placements.size()) {
-      // Shares by the count of scans: stamps of old logs run backwards now and then.
-      const auto from = static_cast<double>(keyframe_tracks_[next - 1]);
-      const auto to = static_cast<double>(keyframe_tracks_[next]);
-      const double share = (static_cast<double>(i) - from) / (to - from);
-      T_map_base = poseBetween(placements[next - 1], placements[next], T_odom_base, share);
-    } else if (!placements.empty()) {
-      T_map_base = carryOn(next == 0 ? placements.front() : placements.back(), T_odom_base);
-    }
-    trajectory.push_back({tracks_[i].stamp, T_map_base});
+  geometry::Trajectory by_odometry;  // without a keyframe there is nothing better
+  for (const ScanTrack& track : tracks_) {
+    by_odometry.push_back({track.stamp, track.T_keyframe_base});
   }
-  return trajectory;
+  return by_odometry;
 }
 
 grid::OccupancyGrid Pipeline::map(const mapping::OccupancyMapperConfig& config) const {

@@ -10,6 +10,7 @@
 #include "omega_slam/slam/back_end.h"
 #include "omega_slam/slam/front_end.h"
 #include "omega_slam/slam/loop_closer.h"
+#include "omega_slam/slam/scan_trajectory.h"
 
 namespace omega_slam::slam {
 
@@ -53,17 +54,14 @@ class Pipeline {
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
 
   /// One pose `T_map_base` for every scan that came with a finite stamp, in their order. Between
-  /// two keyframes the odometry is bent so that it fits both.
+  /// two keyframes what was tracked is bent so that it fits both.
   [[nodiscard]] geometry::Trajectory trajectory() const;
 
   /// The map that the keyframes give at their solved poses.
   [[nodiscard]] grid::OccupancyGrid map(const mapping::OccupancyMapperConfig& config) const;
 
  private:
-  struct ScanTrack {
-    double stamp;
-    geometry::Pose2 T_odom_base;
-  };
+  [[nodiscard]] geometry::Pose2 carriedOn(const geometry::Pose2& T_odom_base) const;
   void addKeyframe(const FrontEndResult& result, ScanOutcome& outcome);
 
   sensing::ScanIntake intake_;
@@ -73,7 +71,8 @@ class Pipeline {
   BackEnd back_end_;
   std::vector<KeyframePtr> keyframes_;
   std::vector<ScanTrack> tracks_;
-  std::vector<std::size_t> keyframe_tracks_;  ///< for each keyframe, its scan's index in tracks_
+  geometry::Pose2 T_odom_tracked_;      ///< odometry at the last scan that was tracked
+  geometry::Pose2 T_keyframe_tracked_;  ///< where that was, seen from the newest keyframe
 };
 
 }  // namespace omega_slam::slam

@@ -3,37 +3,25 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
-#include "omega_slam/motion/odometry_buffer.h"
+#include "omega_slam/graph/pose_graph.h"
 
 namespace omega_slam::slam {
 
-/// A keyframe as its place in the run tells it: when, what the odometry said, where the graph has
-/// it.
-struct KeyframePlacement {
-  double stamp{0.0};            ///< [s]
-  geometry::Pose2 T_odom_base;  ///< odometry at the stamp
-  geometry::Pose2 T_map_base;   ///< solved pose
+/// Where a scan was tracked, in a way that survives the graph's moving.
+struct ScanTrack {
+  double stamp{0.0};                ///< [s]
+  graph::NodeId keyframe{0};        ///< the newest before the scan; the first scan has itself
+  geometry::Pose2 T_keyframe_base;  ///< seen from it
+  bool is_keyframe{false};          ///< whether the scan has become the next one, or the first
 };
 
-/// Odometry between two keyframes, bent so that it meets both: carried on from the one, carried
-/// back from the other, and blended. @param share 0 at `before`, 1 at `after`; @return `T_map_base`
-[[nodiscard]] geometry::Pose2 poseBetween(const KeyframePlacement& before,
-                                          const KeyframePlacement& after,
-                                          const geometry::Pose2& T_odom_base, double share);
-
-/// Where odometry alone puts the base, seen from a keyframe's solved pose: `T_map_base`.
-[[nodiscard]] geometry::Pose2 carryOn(const KeyframePlacement& keyframe,
-                                      const geometry::Pose2& T_odom_base);
-
-/// One pose `T_map_base` for each scan: at a keyframe its solved pose, between two keyframes the
-/// odometry carried on from the one and back from the other, blended by time; before the first and
-/// after the last keyframe the odometry alone.
+/// One pose `T_map_base` for each scan: at a keyframe its solved pose, between two keyframes what
+/// was tracked, carried on from the one and back from the other, and blended by the count of scans
+/// (stamps of old logs run backwards now and then). After the last keyframe it is carried on alone.
 ///
-/// @param stamps    [s] of the scans, any order; the result keeps it
-/// @param odometry  must cover the stamps: a scan that it does not cover gets no pose
-/// @param keyframes in the order of their stamps; with none there is no trajectory
-[[nodiscard]] geometry::Trajectory scanTrajectory(const std::vector<double>& stamps,
-                                                  const motion::OdometryBuffer& odometry,
-                                                  const std::vector<KeyframePlacement>& keyframes);
+/// @param tracks in the order of the run; those of a keyframe that has no pose are left out
+/// @param poses  `T_map_keyframe` of keyframes 0, 1, ...
+[[nodiscard]] geometry::Trajectory scanTrajectory(const std::vector<ScanTrack>& tracks,
+                                                  const std::vector<geometry::Pose2>& poses);
 
 }  // namespace omega_slam::slam

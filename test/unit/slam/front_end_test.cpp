@@ -57,7 +57,7 @@ TEST(FrontEnd, KeepsAKeyframeAfterTranslationRotationOrTime) {
 TEST(FrontEnd, TheMatchMendsTheOdometry) {
   FrontEnd front_end;
   (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
-  const Pose2 truth{0.4, 0.05, 0.1};
+  const Pose2 truth{0.45, 0.05, 0.1};
   const Pose2 odometry{0.5, 0.0, 0.16};
   const auto result = front_end.process(sweepAt(truth, 1.0), predictionAt(odometry, 1.0));
   ASSERT_TRUE(result.match_trusted);
@@ -75,11 +75,11 @@ TEST(FrontEnd, TheMatchMendsTheOdometry) {
 TEST(FrontEnd, BelowTheThresholdTheOdometryStandsAlone) {
   FrontEnd front_end;
   (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
-  sensing::Sweep blind = sweepAt({0.4, 0.0, 0.0}, 1.0);
+  sensing::Sweep blind = sweepAt({0.5, 0.0, 0.0}, 1.0);
   for (auto& beam : blind.beams) {
     beam.kind = sensing::BeamKind::kNoReturn;
   }
-  const auto result = front_end.process(blind, predictionAt({0.4, 0.0, 0.0}, 1.0));
+  const auto result = front_end.process(blind, predictionAt({0.5, 0.0, 0.0}, 1.0));
   ASSERT_TRUE(result.keyframe);
   EXPECT_FALSE(result.match_trusted);
   ASSERT_EQ(result.constraints.size(), 1U);
@@ -90,9 +90,9 @@ TEST(FrontEnd, OdometryConstraintStandsInTheFrameOfItsStart) {
   FrontEnd front_end;
   const Pose2 start{3.0, 4.0, geometry::Pose2{}.theta + 1.5707963267948966};
   (void)front_end.process(sweepAt({}, 0.0), predictionAt(start, 0.0));
-  motion::Prediction prediction = predictionAt(start * Pose2{0.4, 0.0, 0.0}, 1.0);
+  motion::Prediction prediction = predictionAt(start * Pose2{0.5, 0.0, 0.0}, 1.0);
   prediction.covariance = Eigen::Vector3d(0.0, 0.01, 0.0).asDiagonal();  // along odom's y
-  const auto result = front_end.process(sweepAt({0.4, 0.0, 0.0}, 1.0), prediction);
+  const auto result = front_end.process(sweepAt({0.5, 0.0, 0.0}, 1.0), prediction);
   const Eigen::Matrix3d& information = result.constraints[0].information;
   EXPECT_LT(information(0, 0), 0.1 * information(1, 1)) << "the base drives along its x";
 }

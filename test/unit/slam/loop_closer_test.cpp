@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "omega_slam/sensing/scan_intake.h"
+#include "support/chains.h"
 #include "support/poses.h"
 #include "support/room.h"
 
@@ -17,6 +20,8 @@ KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base) {
   return std::make_shared<const Keyframe>(
       Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep});
 }
+
+constexpr double kDeviation = 0.03;  // [m], [rad] of each tie of the chain
 
 LoopCloserConfig smallConfig() {
   LoopCloserConfig config;
@@ -42,7 +47,7 @@ TEST(LoopCloser, FindsTheFirstVisitFromAPoorGuess) {
   }
   auto believed = truth;
   believed[8] = believed[8] * Pose2{0.12, -0.1, 0.1};
-  const auto loops = closer.search(8, believed);
+  const auto loops = closer.search(8, test::chainOf(believed, kDeviation));
   ASSERT_FALSE(loops.empty());
   EXPECT_EQ(loops[0].to, 8U);
   EXPECT_EQ(loops[0].kind, graph::ConstraintKind::kLoop);
@@ -54,14 +59,48 @@ TEST(LoopCloser, FindsTheFirstVisitFromAPoorGuess) {
 
 TEST(LoopCloser, LooksNeitherAtTheNewestNorBeyondTheRadius) {
   LoopCloserConfig config = smallConfig();
-  config.search_radius = 0.05;
+  config.search_radius = 0.01;
   LoopCloser closer(config);
   const auto truth = thereAndBack();
   for (graph::NodeId id = 0; id < truth.size(); ++id) {
     closer.addKeyframe(keyframeAt(id, truth[id]));
   }
-  EXPECT_TRUE(closer.search(8, truth).empty()) << "nothing within 5 cm but neighbours";
-  EXPECT_TRUE(closer.search(4, truth).empty()) << "nothing old enough";
+  EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.008)).empty())
+      << "nothing so near but neighbours";
+  EXPECT_TRUE(closer.search(4, test::chainOf(truth, 0.008)).empty()) << "nothing old enough";
+}
+
+TEST(LoopCloser, APlaceThatIsKnownWellNeedsNoLoop) {
+  LoopCloser closer(smallConfig());
+  const auto truth = thereAndBack();
+  for (graph::NodeId id = 0; id < truth.size(); ++id) {
+    closer.addKeyframe(keyframeAt(id, truth[id]));
+  }
+  EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.003)).empty());
+  EXPECT_FALSE(closer.search(8, test::chainOf(truth, kDeviation)).empty());
+}
+
+/// The drift is beyond a metre, but so is what the graph admits: a first loop from so wide a window
+/// waits for a second one.
+TEST(LoopCloser, AWideWindowsLoopWaitsForAnotherThatAgrees) {
+  LoopCloser closer(smallConfig());
+  auto truth = thereAndBack();
+  for (const double x : {-1.2, -1.4, -1.6, -1.8, -1.7, -1.5, -1.3, -1.1, -0.9, -0.7, -0.5}) {
+    truth.push_back({x, 0.2, 0.0});
+  }
+  auto believed = truth;
+  for (std::size_t i = 8; i < truth.size(); ++i) {
+    believed[i] = Pose2{1.2, -0.5, 0.2} * truth[i];
+  }
+  std::vector<std::size_t> found;
+  for (graph::NodeId id = 0; id < truth.size(); ++id) {
+    closer.addKeyframe(keyframeAt(id, truth[id]));
+    found.push_back(closer.search(id, test::chainOf(believed, 0.3)).size());
+  }
+  EXPECT_EQ(found[6], 0U) << "nobody agrees yet";
+  EXPECT_EQ(found[9], 0U) << "the drift came between this one and the first, so they disagree";
+  EXPECT_GE(std::accumulate(found.begin() + 10, found.end(), std::size_t{0}), 2U)
+      << "those that agree with one before come with it";
 }
 
 TEST(LoopCloser, PosesThatDoNotReachTheKeyframeGiveNothing) {
@@ -70,10 +109,10 @@ TEST(LoopCloser, PosesThatDoNotReachTheKeyframeGiveNothing) {
   for (graph::NodeId id = 0; id < truth.size(); ++id) {
     closer.addKeyframe(keyframeAt(id, truth[id]));
   }
-  EXPECT_TRUE(closer.search(8, {truth[0], truth[1]}).empty());
-  EXPECT_TRUE(closer.search(99, truth).empty());
+  EXPECT_TRUE(closer.search(8, test::chainOf({truth[0], truth[1]}, kDeviation)).empty());
+  EXPECT_TRUE(closer.search(99, test::chainOf(truth, kDeviation)).empty());
   closer.reset();
-  EXPECT_TRUE(closer.search(8, truth).empty());
+  EXPECT_TRUE(closer.search(8, test::chainOf(truth, kDeviation)).empty());
 }
 
 TEST(LoopCloser, ConfigurationIsChecked) {

@@ -9,60 +9,64 @@ namespace {
 
 using geometry::Pose2;
 
-/// Odometry that drives along x at 1 m/s from 0 s to `seconds`.
-motion::OdometryBuffer straightOdometry(int seconds) {
-  motion::OdometryBuffer odometry(1e9);
-  for (int second = 0; second <= seconds; ++second) {
-    odometry.add(second, Pose2{static_cast<double>(second), 0.0, 0.0});
-  }
-  return odometry;
-}
-
 void expectPose(const Pose2& pose, double x, double y, double theta) {
   EXPECT_NEAR(pose.x, x, 1e-9);
   EXPECT_NEAR(pose.y, y, 1e-9);
   EXPECT_NEAR(pose.theta, theta, 1e-9);
 }
 
+/// A robot that was tracked along x at 1 m/s: a keyframe at 0 s, one at 4 s, and on to 5 s.
+std::vector<ScanTrack> straightTracks() {
+  return {{0.0, 0, {}, true},
+          {1.0, 0, {1.0, 0.0, 0.0}, false},
+          {2.0, 0, {2.0, 0.0, 0.0}, false},
+          {3.0, 0, {3.0, 0.0, 0.0}, false},
+          {4.0, 0, {4.0, 0.0, 0.0}, true},
+          {5.0, 1, {1.0, 0.0, 0.0}, false}};
+}
+
 TEST(ScanTrajectoryTest, ThereIsNoneWithoutKeyframes) {
-  EXPECT_TRUE(scanTrajectory({1.0, 2.0}, straightOdometry(3), {}).empty());
+  EXPECT_TRUE(scanTrajectory(straightTracks(), {}).empty());
+  EXPECT_TRUE(scanTrajectory({}, {{}, {}}).empty());
 }
 
 TEST(ScanTrajectoryTest, AKeyframeHasItsSolvedPose) {
-  const std::vector<KeyframePlacement> keyframes{{1.0, {1.0, 0.0, 0.0}, {5.0, 6.0, 0.7}},
-                                                 {3.0, {3.0, 0.0, 0.0}, {-1.0, 2.0, -0.4}}};
-  const auto trajectory = scanTrajectory({1.0, 3.0}, straightOdometry(4), keyframes);
-  ASSERT_EQ(trajectory.size(), 2U);
-  EXPECT_EQ(trajectory[0].stamp, 1.0);
+  const auto trajectory = scanTrajectory(straightTracks(), {{5.0, 6.0, 0.7}, {-1.0, 2.0, -0.4}});
+  ASSERT_EQ(trajectory.size(), 6U);
+  EXPECT_EQ(trajectory[4].stamp, 4.0);
   expectPose(trajectory[0].pose, 5.0, 6.0, 0.7);
-  expectPose(trajectory[1].pose, -1.0, 2.0, -0.4);
+  expectPose(trajectory[4].pose, -1.0, 2.0, -0.4);
 }
 
-TEST(ScanTrajectoryTest, OutsideOfTheKeyframesTheOdometryGoesOnFromTheNearest) {
+TEST(ScanTrajectoryTest, BetweenKeyframesTheErrorIsSpreadOverTheScans) {
+  // The graph says that 4 m of tracking were 4.4 m.
+  const auto trajectory = scanTrajectory(straightTracks(), {{}, {4.4, 0.0, 0.0}});
+  ASSERT_EQ(trajectory.size(), 6U);
+  expectPose(trajectory[1].pose, 1.1, 0.0, 0.0);
+  expectPose(trajectory[2].pose, 2.2, 0.0, 0.0);
+  expectPose(trajectory[3].pose, 3.3, 0.0, 0.0);
+}
+
+TEST(ScanTrajectoryTest, AfterTheLastKeyframeItGoesOnFromThere) {
   const double quarter_turn = 1.5707963267948966;
-  const std::vector<KeyframePlacement> keyframes{{1.0, {1.0, 0.0, 0.0}, {0.0, 0.0, quarter_turn}}};
-  const auto trajectory = scanTrajectory({0.0, 4.0}, straightOdometry(4), keyframes);
-  ASSERT_EQ(trajectory.size(), 2U);
-  expectPose(trajectory[0].pose, 0.0, -1.0, quarter_turn);
-  expectPose(trajectory[1].pose, 0.0, 3.0, quarter_turn);
+  const auto trajectory = scanTrajectory(straightTracks(), {{}, {4.0, 0.0, quarter_turn}});
+  ASSERT_EQ(trajectory.size(), 6U);
+  expectPose(trajectory[5].pose, 4.0, 1.0, quarter_turn);
 }
 
-TEST(ScanTrajectoryTest, BetweenKeyframesTheErrorOfTheOdometryIsSpreadOverTime) {
-  // The graph says that 4 m of odometry were 4.4 m.
-  const std::vector<KeyframePlacement> keyframes{{0.0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}},
-                                                 {4.0, {4.0, 0.0, 0.0}, {4.4, 0.0, 0.0}}};
-  const auto trajectory = scanTrajectory({1.0, 2.0, 3.5}, straightOdometry(4), keyframes);
-  ASSERT_EQ(trajectory.size(), 3U);
-  expectPose(trajectory[0].pose, 1.1, 0.0, 0.0);
-  expectPose(trajectory[1].pose, 2.2, 0.0, 0.0);
-  expectPose(trajectory[2].pose, 3.85, 0.0, 0.0);
+TEST(ScanTrajectoryTest, ScansOfAKeyframeThatTheGraphDoesNotKnowYetGetNoPose) {
+  const auto trajectory = scanTrajectory(straightTracks(), {{}});
+  ASSERT_EQ(trajectory.size(), 5U);
+  expectPose(trajectory[4].pose, 4.0, 0.0, 0.0);  // of the keyframe before, carried on
 }
 
-TEST(ScanTrajectoryTest, AScanThatTheOdometryDoesNotCoverGetsNoPose) {
-  const std::vector<KeyframePlacement> keyframes{{1.0, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}};
-  const auto trajectory = scanTrajectory({-1.0, 2.0, 9.0}, straightOdometry(4), keyframes);
-  ASSERT_EQ(trajectory.size(), 1U);
-  EXPECT_EQ(trajectory[0].stamp, 2.0);
+TEST(ScanTrajectoryTest, MissingKeyframeScansAreBridged) {
+  auto tracks = straightTracks();
+  tracks.erase(tracks.begin() + 4);  // a message that was lost
+  const auto trajectory = scanTrajectory(tracks, {{}, {4.0, 0.0, 0.0}});
+  ASSERT_EQ(trajectory.size(), 5U);
+  expectPose(trajectory[3].pose, 3.0, 0.0, 0.0);
+  expectPose(trajectory[4].pose, 5.0, 0.0, 0.0);
 }
 
 }  // namespace
