@@ -14,7 +14,10 @@ void append(std::vector<std::string>& faults, const std::vector<std::string>& mo
 }
 
 std::string whyTooLarge(const CellBox& box, const OccupancyMapperConfig& config) {
-  const Eigen::Array2d cells = (box.sizes().array() + 1).cast<double>();
+  if (box.isEmpty()) {
+    return {};
+  }
+  const Eigen::Array2d cells = (box.max().cast<double>() - box.min().cast<double>()).array() + 1.0;
   const Eigen::Array2d extent = cells * config.resolution;
   if (extent.maxCoeff() > config.max_extent) {
     return fmt::format("the map would span {:.6g} m by {:.6g} m, which is above the limit of {} m",
