@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <vector>
 
+#include "experiments/program.h"
 #include "exploration/thread_timer.h"
 #include "omega_slam/exploration/fast_detector.h"
 #include "omega_slam/exploration/wavefront_detector.h"
@@ -94,10 +94,10 @@ int main(int argc, char** argv) {
   int rounds = 9;
   app.add_option("--sizes", sizes, "[cells] of the edge of a square map")->delimiter(',');
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber)->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  fmt::print("size,frontiers,wavefront,everything,fast\n");
-  for (const int size : sizes) {
-    omega_slam::experiments::measure(size, rounds);
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv, [&] {
+    fmt::print("size,frontiers,wavefront,everything,fast\n");
+    for (const int size : sizes) {
+      omega_slam::experiments::measure(size, rounds);
+    }
+  });
 }

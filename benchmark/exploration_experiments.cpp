@@ -5,14 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "experiments/csv_file.h"
+#include "experiments/program.h"
 #include "exploration/exploration_run.h"
 #include "omega_slam/exploration/strategy_factory.h"
 #include "omega_slam/geometry/angle.h"
@@ -162,12 +161,6 @@ int main(int argc, char** argv) {
       "and maps of all runs; scripts/experiments runs it for all worlds.");
   omega_slam::experiments::Arguments arguments;
   omega_slam::experiments::declare(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    omega_slam::experiments::run(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "exploration_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv,
+                                             [&] { omega_slam::experiments::run(arguments); });
 }

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "experiments/program.h"
 #include "graph/contestants.h"
 #include "graph/manhattan_world.h"
 #include "graph/online_drive.h"
@@ -158,12 +158,6 @@ int main(int argc, char** argv) {
   omega_slam::experiments::declareOnline(app, arguments);
   omega_slam::experiments::declareScore(app, arguments);
   omega_slam::experiments::declareWriters(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    omega_slam::experiments::run(app, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "graph_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv,
+                                             [&] { omega_slam::experiments::run(app, arguments); });
 }

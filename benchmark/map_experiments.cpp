@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "experiments/program.h"
 #include "maps/grid_peer.h"
 #include "maps/map_scores.h"
 
@@ -56,12 +56,6 @@ int main(int argc, char** argv) {
   declareExperiment(app, "survey", "drives through a building and maps it", arguments)
       ->add_flag("--pictures", arguments.pictures, "draws the maps, too");
   declareExperiment(app, "peer", "the same scans drawn by MRPT, if it is there", arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    omega_slam::experiments::run(app, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "map_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv,
+                                             [&] { omega_slam::experiments::run(app, arguments); });
 }

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "experiments/consistency.h"
 #include "experiments/elimination.h"
 #include "experiments/error_curves.h"
+#include "experiments/program.h"
 #include "experiments/reliability.h"
 #include "omega_slam/matching/matcher_factory.h"
 
@@ -113,12 +113,6 @@ int main(int argc, char** argv) {
   CLI::App app("Experiments on scan matching; scripts/experiments runs them all.");
   omega_slam::experiments::Arguments arguments;
   omega_slam::experiments::declare(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    omega_slam::experiments::run(app, arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "matching_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv,
+                                             [&] { omega_slam::experiments::run(app, arguments); });
 }

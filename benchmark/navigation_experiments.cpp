@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
+#include "experiments/program.h"
 #include "navigation/goals.h"
 #include "navigation/queries.h"
 
@@ -64,17 +64,12 @@ int main(int argc, char** argv) {
   CLI::App app("Plans and drives in a world; a table of all that came of it on stdout.");
   Arguments arguments;
   declare(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return runProgram(app, argc, argv, [&] {
     const Course course = loadCourse(arguments.map, arguments.urdf);
     if (app.got_subcommand("queries")) {
       printQueries(course, arguments);
     } else {
       printGoals(course, arguments);
     }
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -4,11 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
+#include "experiments/program.h"
 #include "graph/outliers.h"
 #include "omega_slam/graph/graph_file.h"
 
@@ -57,12 +56,6 @@ int main(int argc, char** argv) {
       "scripts/experiments runs it for all solvers.");
   omega_slam::experiments::Arguments arguments;
   omega_slam::experiments::declare(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    omega_slam::experiments::run(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "outlier_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return omega_slam::experiments::runProgram(app, argc, argv,
+                                             [&] { omega_slam::experiments::run(arguments); });
 }

@@ -5,13 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "experiments/program.h"
 #include "omega_slam/config/slam_config.h"
 #include "slam/growth.h"
 #include "slam/icp_ratio.h"
@@ -163,16 +162,11 @@ int main(int argc, char** argv) {
   CLI::App app("Plays runs through the whole of SLAM, and prints what came of them as CSV.");
   omega_slam::experiments::Arguments arguments;
   const auto parts = omega_slam::experiments::declare(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return omega_slam::experiments::runProgram(app, argc, argv, [&] {
     for (const auto& [command, part] : parts) {
       if (command->parsed()) {
         part(arguments);
       }
     }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "slam_experiments: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  });
 }
