@@ -1,35 +1,29 @@
 #include "exploration/map_in_step.h"
 
+#include <utility>
+
+#include "omega_slam/mapping/map_update.h"
+
 namespace omega_slam::experiments {
-namespace {
-
-constexpr double kReach = 4.0;        // [m] of beams
-constexpr double kTolerance = 0.025;  // [m] half a cell
-
-}  // namespace
 
 MapInStep::Change MapInStep::update(const slam::Pipeline& pipeline) {
-  Change change;
-  const auto& keyframes = pipeline.keyframes();
+  std::vector<mapping::PlacedSweep> placed;
   std::vector<geometry::Pose2> poses;
-  for (const slam::KeyframePtr& keyframe : keyframes) {
+  for (const slam::KeyframePtr& keyframe : pipeline.keyframes()) {
     poses.push_back(pipeline.graph().poses[keyframe->id]);
+    placed.push_back({keyframe->id, slam::sweepOf(keyframe), poses.back()});
   }
-  const exploration::MapMotion motion(drawn_, poses);
-  const bool moved = motion.exceeds(kTolerance, kReach);
-  change.is_new = moved || poses.size() > drawn_.size();
-  if (moved) {
-    change.motion = motion;
-    mapper_.clear();
-    drawn_.clear();
-  }
-  for (std::size_t i = drawn_.size(); i < keyframes.size(); ++i) {
-    (void)mapper_.add(keyframes[i]->sweep, poses[i]);
-    drawn_.push_back(poses[i]);
-    if (!moved) {
-      change.news.push_back({&keyframes[i]->sweep, poses[i]});
+  const mapping::UpdateReport report = mapping::update(mapper_, placed);
+  Change change;
+  change.is_new = report.hasChanged();
+  if (report.is_redrawn || report.moved > 0) {
+    change.motion = exploration::MapMotion(poses_, poses);
+  } else {
+    for (std::size_t i = poses_.size(); i < placed.size(); ++i) {
+      change.news.push_back({placed[i].sweep.get(), poses[i]});
     }
   }
+  poses_ = std::move(poses);
   return change;
 }
 

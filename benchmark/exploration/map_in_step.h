@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "omega_slam/exploration/explorer.h"
@@ -8,13 +9,13 @@
 
 namespace omega_slam::experiments {
 
-/// The map of a pipeline that runs, drawn as map_builder does: new keyframes are added while the
-/// poses stand, and all is drawn anew once one has moved by half a cell.
+/// The map of a pipeline that runs, and what of it is new to an explorer, as map_builder and
+/// frontier_explorer have it between them.
 class MapInStep {
  public:
   struct Change {
-    std::vector<exploration::PlacedSweep> news;    ///< empty: all was drawn anew
-    std::optional<exploration::MapMotion> motion;  ///< if so
+    std::vector<exploration::PlacedSweep> news;    ///< empty: anything may have changed
+    std::optional<exploration::MapMotion> motion;  ///< if what was drawn has moved
     bool is_new{false};                            ///< whether there is anything new at all
   };
 
@@ -25,7 +26,7 @@ class MapInStep {
 
  private:
   mapping::OccupancyMapper mapper_;
-  std::vector<geometry::Pose2> drawn_;  ///< `T_map_base` of each keyframe in the map
+  std::vector<geometry::Pose2> poses_;  ///< `T_map_base` of each keyframe at the last update
 };
 
 }  // namespace omega_slam::experiments
