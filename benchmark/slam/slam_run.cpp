@@ -27,6 +27,7 @@ SlamRun runSlam(const std::vector<io::ScanRecord>& records, const slam::Pipeline
   run.keyframes = pipeline.keyframes();
   run.graph = pipeline.graph();
   run.withdrawn_loops = pipeline.withdrawnLoops();
+  run.folded_loops = pipeline.foldedLoops();
   return run;
 }
 

@@ -20,6 +20,7 @@ struct SlamRun {
   graph::PoseGraph graph;
   std::vector<double> weights;                     ///< of its constraints
   std::vector<graph::Constraint> withdrawn_loops;  ///< no part of the graph
+  std::vector<graph::Constraint> folded_loops;     ///< part of other constraints
   grid::OccupancyGrid map;
   std::size_t rejected{0};      ///< scans
   std::vector<double> seconds;  ///< [s] of processor time, for each scan

@@ -87,15 +87,19 @@ void scoreByTruth(const Recording& recording, const SlamRun& run, SlamScore& sco
 std::size_t falseLoops(const Recording& recording, const SlamRun& run) {
   const Truth truth(recording.truth);
   std::size_t found = 0;
+  const auto count = [&](const graph::Constraint& loop) {
+    const auto from = truth.at(*run.keyframes[loop.from]);
+    const auto to = truth.at(*run.keyframes[loop.to]);
+    found += from && to && isFalse(loop, relativePose(*from, *to)) ? 1 : 0;
+  };
   for (std::size_t k = 0; k < run.graph.constraints.size(); ++k) {
     const graph::Constraint& loop = run.graph.constraints[k];
     const bool stands = run.weights.empty() || run.weights[k] > 0.5;
     if (loop.kind == graph::ConstraintKind::kLoop && stands) {
-      const auto from = truth.at(*run.keyframes[loop.from]);
-      const auto to = truth.at(*run.keyframes[loop.to]);
-      found += from && to && isFalse(loop, relativePose(*from, *to)) ? 1 : 0;
+      count(loop);
     }
   }
+  std::for_each(run.folded_loops.begin(), run.folded_loops.end(), count);
   return found;
 }
 
@@ -110,9 +114,8 @@ void countLoops(const SlamRun& run, SlamScore& score) {
       count(constraint);
     }
   }
-  for (const graph::Constraint& loop : run.withdrawn_loops) {
-    count(loop);
-  }
+  std::for_each(run.withdrawn_loops.begin(), run.withdrawn_loops.end(), count);
+  std::for_each(run.folded_loops.begin(), run.folded_loops.end(), count);
   score.withdrawn = run.withdrawn_loops.size();
 }
 

@@ -158,8 +158,8 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   report.distance = evaluation::pathLength(results.estimate);
   report.scans = account.scans;
   report.keyframes = account.keyframes;
-  report.loops =
-      evaluation::loopFigures(pipeline.graph(), solved.weights, pipeline.withdrawnLoops());
+  report.loops = evaluation::loopFigures(pipeline.graph(), solved.weights,
+                                         pipeline.withdrawnLoops(), pipeline.foldedLoops());
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
   if (account.untrusted > 0) {
@@ -170,6 +170,11 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   if (!pipeline.withdrawnLoops().empty()) {
     report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
                                        pipeline.withdrawnLoops().size()));
+  }
+  if (pipeline.retiredKeyframes() > 0) {
+    report.notes.push_back(
+        fmt::format("{} keyframes have retired from the graph, and {} loops with them.",
+                    pipeline.retiredKeyframes(), pipeline.foldedLoops().size()));
   }
   if (!solved.message.empty()) {
     report.notes.push_back("The last solve failed: " + solved.message + ".");

@@ -106,14 +106,15 @@ TEST(RunReportTest, LoopsHaveTheirWeightsAndTheWithdrawnOnesNone) {
   loop.to = 4;
   loop.kind = graph::ConstraintKind::kLoop;
   graph.constraints = {loop};
-  record.setGraph(graph, record.graphStamps(), {{0.25}, {loop, loop}});
+  record.setGraph(graph, record.graphStamps(), {{0.25}, {loop, loop}, {loop}});
   const auto report = makeReport(record, done(), {}, std::nullopt);
-  ASSERT_EQ(report.loops->size(), 3U);
-  EXPECT_EQ(report.loops->front().weight, 0.25);
-  EXPECT_EQ(report.loops->back().weight, 0.0);
-  EXPECT_EQ(report.loops->back().residual_translation, 4.0);
+  ASSERT_EQ(report.loops->size(), 4U);
+  EXPECT_EQ(report.loops->at(0).weight, 0.25);
+  EXPECT_EQ(report.loops->at(1).weight, 0.0);
+  EXPECT_EQ(report.loops->at(2).residual_translation, 4.0);
+  EXPECT_TRUE(report.loops->at(3).is_folded);
   EXPECT_THAT(report.notes, Contains(HasSubstr("2 loops were withdrawn")));
-  EXPECT_THAT(formatClosing(report, done()), HasSubstr("1 loops"));
+  EXPECT_THAT(formatClosing(report, done()), HasSubstr("2 loops"));
 }
 
 TEST(RunReportTest, TheClosingLinesHoldTheMainFigures) {

@@ -158,13 +158,28 @@ TEST(SlamConversions, FaultyPoseGraphsAreRefusedWithTheReason) {
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.constraints[0].to_id = 2; }), "");
 }
 
+TEST(SlamConversions, RetiredKeyframesAreHeld) {
+  graph::PoseGraph graph;
+  graph.poses.resize(4);
+  graph.held = {0, 2};
+  PoseGraph message = poseGraphToRos(graph, std::vector<ros::Time>(4));
+  EXPECT_EQ(message.retired, std::vector<graph::NodeId>{2});
+  EXPECT_EQ(poseGraphFromRos(message).value->held, graph.held);
+  message.retired = {4};
+  EXPECT_NE(poseGraphFromRos(message).fault, "");
+  message.retired = {0};
+  EXPECT_NE(poseGraphFromRos(message).fault, "") << "the map hangs on it";
+  message.retired.clear();
+  EXPECT_TRUE(poseGraphFromRos(message).value->held.empty());
+}
+
 TEST(SlamConversions, BeliefsSurviveTheRoundTrip) {
   graph::PoseGraph graph;
   graph.poses.resize(3);
   graph.constraints.resize(2);
   graph.constraints[0].to = 1;
   graph.constraints[1].to = 2;
-  slam::BeliefAccount beliefs{{1.0, 0.25}, {graph.constraints[1]}};
+  slam::BeliefAccount beliefs{{1.0, 0.25}, {graph.constraints[1]}, {graph.constraints[0]}};
   beliefs.withdrawn[0].kind = graph::ConstraintKind::kLoop;
   const std::vector<ros::Time> stamps(3);
   const auto read = beliefsFromRos(poseGraphToRos(graph, stamps, beliefs));
@@ -172,6 +187,8 @@ TEST(SlamConversions, BeliefsSurviveTheRoundTrip) {
   EXPECT_EQ(read.value->weights, beliefs.weights);
   ASSERT_EQ(read.value->withdrawn.size(), 1U);
   EXPECT_EQ(read.value->withdrawn[0].to, 2U);
+  ASSERT_EQ(read.value->folded.size(), 1U);
+  EXPECT_EQ(read.value->folded[0].to, 1U);
   EXPECT_EQ(beliefsFromRos(poseGraphToRos(graph, stamps)).fault, "") << "nobody need know";
 }
 
@@ -181,8 +198,8 @@ TEST(SlamConversions, FaultyBeliefsAreRefusedWithTheReason) {
   graph.constraints.resize(1);
   graph.constraints[0].to = 1;
   const auto faultAfter = [&](auto spoil) {
-    PoseGraph message =
-        poseGraphToRos(graph, std::vector<ros::Time>(2), {{0.5}, {graph.constraints[0]}});
+    PoseGraph message = poseGraphToRos(graph, std::vector<ros::Time>(2),
+                                       {{0.5}, {graph.constraints[0]}, {graph.constraints[0]}});
     spoil(message);
     return beliefsFromRos(message).fault;
   };
@@ -191,6 +208,7 @@ TEST(SlamConversions, FaultyBeliefsAreRefusedWithTheReason) {
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.weights[0] = kNan; }), "");
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.weights[0] = 1.5; }), "");
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.withdrawn[0].to_id = 2; }), "");
+  EXPECT_NE(faultAfter([](PoseGraph& m) { m.folded[0].to_id = 2; }), "");
 }
 
 }  // namespace

@@ -128,6 +128,7 @@ bool GraphWorker::grow() {
 void GraphWorker::reportHealth() {
   const graph::SolveReport& report = back_end_.report();
   diagnostics_.set("last solve, iterations", report.iterations);
+  diagnostics_.set("keyframes retired", static_cast<double>(back_end_.retired()));
   diagnostics_.set("loops withdrawn", static_cast<double>(back_end_.withdrawn().size()));
   if (report.status == graph::SolveStatus::kFailed) {
     diagnostics_.reject("solver failed", report.message);

@@ -76,7 +76,8 @@ evaluation::Report makeReport(const RunRecord& record, const RunEnding& ending,
   report.distance = record.distance();
   report.keyframes = record.graph().poses.size();
   const slam::BeliefAccount& beliefs = record.beliefs();
-  report.loops = evaluation::loopFigures(record.graph(), beliefs.weights, beliefs.withdrawn);
+  report.loops =
+      evaluation::loopFigures(record.graph(), beliefs.weights, beliefs.withdrawn, beliefs.folded);
   report.notes.push_back("The run ended: " + ending.reason + ".");
   if (!ending.settled) {
     report.notes.push_back("The map was saved before it had caught up with the newest scans.");
@@ -89,6 +90,10 @@ evaluation::Report makeReport(const RunRecord& record, const RunEnding& ending,
   if (!beliefs.withdrawn.empty()) {
     report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
                                        beliefs.withdrawn.size()));
+  }
+  if (!beliefs.folded.empty()) {
+    report.notes.push_back(
+        fmt::format("{} loops went with keyframes that have retired.", beliefs.folded.size()));
   }
   judgeTrajectory(record, report);
   if (world) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -183,6 +184,16 @@ Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
     return {std::nullopt, std::move(constraints.fault)};
   }
   read.constraints = std::move(*constraints.value);
+  if (graph.retired.empty()) {
+    return {std::move(read), {}};
+  }
+  read.held = {0};
+  for (const graph::NodeId node : graph.retired) {
+    if (node == 0 || node >= read.poses.size()) {
+      return {std::nullopt, "pose graph has a retired keyframe that it lacks"};
+    }
+    read.held.push_back(node);
+  }
   return {std::move(read), {}};
 }
 
@@ -198,7 +209,12 @@ Reading<slam::BeliefAccount> beliefsFromRos(const PoseGraph& graph) {
   if (!withdrawn.value) {
     return {std::nullopt, std::move(withdrawn.fault)};
   }
-  return {slam::BeliefAccount{graph.weights, std::move(*withdrawn.value)}, {}};
+  auto folded = constraintsWithin(graph, graph.folded);
+  if (!folded.value) {
+    return {std::nullopt, std::move(folded.fault)};
+  }
+  return {slam::BeliefAccount{graph.weights, std::move(*withdrawn.value), std::move(*folded.value)},
+          {}};
 }
 
 PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::Time>& stamps,
@@ -209,8 +225,11 @@ PoseGraph poseGraphToRos(const graph::PoseGraph& graph, const std::vector<ros::T
   }
   message.stamps = stamps;
   message.constraints = constraintsToRos(graph.constraints);
+  std::copy_if(graph.held.begin(), graph.held.end(), std::back_inserter(message.retired),
+               [](graph::NodeId node) { return node != 0; });
   message.weights = beliefs.weights;
   message.withdrawn = constraintsToRos(beliefs.withdrawn);
+  message.folded = constraintsToRos(beliefs.folded);
   return message;
 }
 

@@ -52,7 +52,7 @@ struct Reading {
 [[nodiscard]] Reading<slam::BeliefAccount> beliefsFromRos(const PoseGraph& graph);
 
 /// Faults: as many stamps as poses there must be, poses finite, constraints sound and between nodes
-/// that exist.
+/// that exist, and retired keyframes not the first one. These are held in the graph, beside node 0.
 [[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
 
 /// Where the front end has tracked a scan. @param header the scan's own stamp; the base frame

@@ -175,6 +175,14 @@ void readMapper(ParameterReader& reader, mapping::OccupancyMapperConfig& mapper)
   reader.faults(mapper.validate());
 }
 
+void read(ParameterReader reader, graph::ThinningConfig& config) {
+  reader.read("keyframes_per_place", config.nodes_per_place, {0.0, 100000.0});
+  reader.read("spacing", config.spacing, kPositiveLength);
+  reader.read("turn", config.turn, {0.001, 3.15});
+  reader.read("newest", config.newest, {1.0, 100000.0});
+  reader.read("max_loss", config.max_divergence, {0.0, 1000.0});
+}
+
 }  // namespace
 
 void read(ParameterReader& reader, MotionModelNodeConfig& config) {
@@ -212,6 +220,7 @@ void read(ParameterReader& reader, GraphSlamNodeConfig& config) {
   reader.read("transform_tolerance", config.transform_tolerance, kDuration);
   reader.read("solve_error", config.back_end.solve_error, {0.0, 1000.0});
   reader.read("loop_gate", config.back_end.doubt.gate, {1.0, 1000.0});
+  read(reader.group("thinning"), config.back_end.thinning);
   read(reader.group("incremental"), config.back_end.graph);
   read(reader.group("solver"), config.back_end.graph.solver);
   reader.faults(config.back_end.validate());

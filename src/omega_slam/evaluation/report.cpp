@@ -51,6 +51,9 @@ Json loopsJson(const std::vector<LoopFigures>& loops) {
     if (loop.weight) {
       list.back()["weight"] = *loop.weight;
     }
+    if (loop.is_folded) {
+      list.back()["folded"] = true;
+    }
   }
   return list;
 }
@@ -115,7 +118,8 @@ LoopFigures figuresOf(const graph::PoseGraph& graph, const graph::Constraint& lo
 
 std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
                                      const std::vector<double>& weights,
-                                     const std::vector<graph::Constraint>& withdrawn) {
+                                     const std::vector<graph::Constraint>& withdrawn,
+                                     const std::vector<graph::Constraint>& folded) {
   std::vector<LoopFigures> figures;
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     if (graph.constraints[k].kind == graph::ConstraintKind::kLoop) {
@@ -128,6 +132,10 @@ std::vector<LoopFigures> loopFigures(const graph::PoseGraph& graph,
   for (const graph::Constraint& loop : withdrawn) {
     figures.push_back(figuresOf(graph, loop));
     figures.back().weight = 0.0;
+  }
+  for (const graph::Constraint& loop : folded) {
+    figures.push_back(figuresOf(graph, loop));
+    figures.back().is_folded = true;
   }
   return figures;
 }

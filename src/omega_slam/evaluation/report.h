@@ -24,13 +24,16 @@ struct LoopFigures {
   double chi_square{0.0};
   double confidence{0.0};
   std::optional<double> weight{};  ///< with which it counts: 0 if it was withdrawn
+  bool is_folded{false};           ///< it counts in other constraints: it has no weight of its own
 };
 
-/// The loops of a graph in their order, measured at its poses, and then those withdrawn from it.
+/// The loops of a graph in their order, measured at its poses, and then those withdrawn from it and
+/// those folded into other constraints.
 /// @param weights of all constraints, as graph::SolveReport has them; empty if nobody knows
 [[nodiscard]] std::vector<LoopFigures> loopFigures(
     const graph::PoseGraph& graph, const std::vector<double>& weights = {},
-    const std::vector<graph::Constraint>& withdrawn = {});
+    const std::vector<graph::Constraint>& withdrawn = {},
+    const std::vector<graph::Constraint>& folded = {});
 
 /// Length of a path [m].
 [[nodiscard]] double pathLength(const geometry::Trajectory& trajectory);

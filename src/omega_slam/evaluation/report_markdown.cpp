@@ -119,10 +119,11 @@ std::string loopList(std::vector<LoopFigures> loops) {
       "| from | to | residual | rotation | chi-square | confidence | weight |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const LoopFigures& loop : loops) {
-    text += fmt::format("| {} | {} | {:.3f} m | {:.2f} deg | {:.3g} | {:.2f} | {} |\n", loop.from,
-                        loop.to, loop.residual_translation,
-                        radiansToDegrees(loop.residual_rotation), loop.chi_square, loop.confidence,
-                        loop.weight ? fmt::format("{:.2f}", *loop.weight) : "-");
+    const std::string weight = loop.weight ? fmt::format("{:.2f}", *loop.weight) : "-";
+    text +=
+        fmt::format("| {} | {} | {:.3f} m | {:.2f} deg | {:.3g} | {:.2f} | {} |\n", loop.from,
+                    loop.to, loop.residual_translation, radiansToDegrees(loop.residual_rotation),
+                    loop.chi_square, loop.confidence, loop.is_folded ? "folded" : weight);
   }
   return text;
 }

@@ -31,6 +31,13 @@ Eigen::Matrix3d rotateCovariance(const Eigen::Matrix3d& covariance, double angle
   return rotation * covariance * rotation.transpose();
 }
 
+Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
+  Eigen::Matrix3d result = rotationOnly(T_a_b.theta);
+  result(0, 2) = T_a_b.y;
+  result(1, 2) = -T_a_b.x;
+  return result;
+}
+
 bool isPositiveSemidefinite(const Eigen::Matrix3d& matrix) {
   if (!matrix.allFinite()) {
     return false;

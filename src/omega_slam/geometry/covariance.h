@@ -18,6 +18,11 @@ namespace omega_slam::geometry {
 /// frame b to those of a frame a in which b has that heading.
 [[nodiscard]] Eigen::Matrix3d rotateCovariance(const Eigen::Matrix3d& covariance, double angle);
 
+/// Carries small motions (x, y, theta) in the frame of b to the same ones in that of a, where the
+/// frames are parts of one body (the adjoint of SE(2); Sola, Deray and Atchuthan 2018, equation
+/// 159).
+[[nodiscard]] Eigen::Matrix3d adjoint(const Pose2& T_a_b);
+
 /// Finite, symmetric to rounding, and no eigenvalue below zero but for rounding.
 [[nodiscard]] bool isPositiveSemidefinite(const Eigen::Matrix3d& matrix);
 

@@ -103,7 +103,8 @@ void IncrementalSolver::batch() {
   capacity_ = nodes + static_cast<std::size_t>(config_.batch_nodes);
   PoseGraph roomy = graph_;
   roomy.poses.resize(capacity_);
-  InformationForm form(capacity_, graph_.constraints, {0});
+  const std::vector<NodeId> first{0};
+  InformationForm form(capacity_, graph_.constraints, graph_.held.empty() ? first : graph_.held);
   fillForm(roomy, Weighing(config_.solver.kernels, graph_), form);
   for (std::size_t node = nodes; node < capacity_; ++node) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -115,6 +116,13 @@ void IncrementalSolver::batch() {
       form, static_cast<NodeId>(nodes - std::min(nodes, kOpenNodes)));
   if (cholesky_->isValid()) {
     follow();
+  }
+}
+
+void IncrementalSolver::place(NodeId node, const Pose2& T_map_node) {
+  graph_.poses[node] = T_map_node;
+  if (cholesky_) {
+    linearized_at_[node] = T_map_node;
   }
 }
 

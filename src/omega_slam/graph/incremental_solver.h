@@ -21,8 +21,8 @@ struct IncrementalConfig {
   [[nodiscard]] std::vector<std::string> validate() const;
 };
 
-/// A graph that grows and is solved all the while: every node and constraint is taken in at a cost
-/// far below that of a solve of the whole.
+/// A graph that grows and is solved all the while, its held nodes excepted (node 0 where there are
+/// none): every node and constraint is taken in at a cost far below that of a solve of the whole.
 ///
 /// A node that is tied to earlier ones is a leaf: a 3 x 3 problem places it, and nothing else
 /// moves. A constraint between known nodes changes the factor of Omega along one path of its
@@ -40,6 +40,9 @@ class IncrementalSolver {
 
   /// Adds constraints between known nodes. All poses follow.
   void addConstraints(const std::vector<Constraint>& constraints);
+
+  /// Moves a node. @pre it is held, and no constraint is tied to it
+  void place(NodeId node, const geometry::Pose2& T_map_node);
 
   /// Takes a constraint out again and solves until the poses rest.
   /// @param k index into the graph's constraints

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "omega_slam/geometry/covariance.h"
+
 namespace omega_slam::graph {
 
 using geometry::Pose2;
@@ -15,18 +17,8 @@ namespace {
 
 constexpr double kVague = 1e-9;  // of the information's trace, where it says nothing
 
-/// Carries twists from the frame of b to that of a (the adjoint of SE(2); Sola, Deray and Atchuthan
-/// 2018, equation 159).
-Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
-  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
-  result.topLeftCorner<2, 2>() = T_a_b.rotation();
-  result(0, 2) = T_a_b.y;
-  result(1, 2) = -T_a_b.x;
-  return result;
-}
-
 Eigen::Matrix3d carry(const Pose2& T_a_b, const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix3d along = adjoint(T_a_b);
+  const Eigen::Matrix3d along = geometry::adjoint(T_a_b);
   return along * covariance * along.transpose();
 }
 

@@ -1,15 +1,10 @@
 #include "omega_slam/graph/thinning.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/validation.h"
-#include "omega_slam/graph/linearization.h"
 
 namespace omega_slam::graph {
 
@@ -17,234 +12,101 @@ using geometry::Pose2;
 
 namespace {
 
-/// What the constraints of a node say of its neighbours together, the node itself marginalised, the
-/// first neighbour held.
-struct Marginal {
-  std::vector<NodeId> neighbours;
-  Eigen::MatrixXd covariance;  ///< of all neighbours; zero for the first
-  Eigen::VectorXd shift;       ///< from the graph's poses to the mean
-};
-
-std::vector<NodeId> neighboursOf(const PoseGraph& graph, NodeId node) {
-  std::vector<NodeId> neighbours;
-  for (const Constraint& constraint : graph.constraints) {
-    if (constraint.from == node || constraint.to == node) {
-      neighbours.push_back(constraint.from == node ? constraint.to : constraint.from);
+/// Which nodes are where others are.
+class Places {
+ public:
+  Places(const PoseGraph& graph, const ThinningConfig& config) : graph_(graph), config_(config) {
+    is_tied_.assign(graph.poses.size(), false);
+    for (const Constraint& constraint : graph.constraints) {
+      is_tied_[constraint.from] = is_tied_[constraint.to] = true;
     }
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  return neighbours;
-}
 
-/// The marginal, or none where the constraints do not determine it.
-std::optional<Marginal> marginalOf(const PoseGraph& graph, NodeId node) {
-  Marginal marginal{neighboursOf(graph, node), {}, {}};
-  const auto count = static_cast<Eigen::Index>(marginal.neighbours.size());
-  Eigen::MatrixXd omega = Eigen::MatrixXd::Zero(3 * (count + 1), 3 * (count + 1));
-  Eigen::VectorXd xi = Eigen::VectorXd::Zero(3 * (count + 1));
-  const auto rowOf = [&](NodeId id) {  // the node's own comes last
-    const auto found = std::lower_bound(marginal.neighbours.begin(), marginal.neighbours.end(), id);
-    return 3 * (id == node ? count : found - marginal.neighbours.begin());
-  };
-  for (const Constraint& constraint : graph.constraints) {
-    if (constraint.from != node && constraint.to != node) {
-      continue;
-    }
-    const LinearizedConstraint at = linearize(constraint, graph);
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3, omega.cols());
-    jacobian.middleCols<3>(rowOf(constraint.from)) = at.J_from;
-    jacobian.middleCols<3>(rowOf(constraint.to)) = at.J_to;
-    omega += jacobian.transpose() * constraint.information * jacobian;
-    xi -= jacobian.transpose() * constraint.information * at.error;
-  }
-  // With the first neighbour held, the rest and the node itself have a covariance; that of the
-  // rest is a block of it.
-  const Eigen::Index free = 3 * count;
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(omega.bottomRightCorner(free, free));
-  if (cholesky.info() != Eigen::Success) {
-    return std::nullopt;
-  }
-  const Eigen::MatrixXd covariance = cholesky.solve(Eigen::MatrixXd::Identity(free, free));
-  const Eigen::VectorXd shift = cholesky.solve(xi.tail(free));
-  const Eigen::Index kept = free - 3;
-  marginal.covariance = Eigen::MatrixXd::Zero(3 * count, 3 * count);
-  marginal.covariance.bottomRightCorner(kept, kept) = covariance.topLeftCorner(kept, kept);
-  marginal.shift = Eigen::VectorXd::Zero(3 * count);
-  marginal.shift.tail(kept) = shift.head(kept);
-  return marginal.covariance.allFinite() ? std::make_optional(marginal) : std::nullopt;
-}
-
-/// Covariance of the pose of neighbour b seen from a, in the axes of `a`.
-Eigen::Matrix3d relativeCovariance(const PoseGraph& graph, const Marginal& marginal, Eigen::Index a,
-                                   Eigen::Index b) {
-  Constraint unturned;
-  unturned.from = marginal.neighbours[static_cast<std::size_t>(a)];
-  unturned.to = marginal.neighbours[static_cast<std::size_t>(b)];
-  const LinearizedConstraint at = linearize(unturned, graph);
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3, marginal.covariance.cols());
-  jacobian.middleCols<3>(3 * a) = at.J_from;
-  jacobian.middleCols<3>(3 * b) = at.J_to;
-  return jacobian * marginal.covariance * jacobian.transpose();
-}
-
-double logDeterminant(const Eigen::MatrixXd& matrix) {
-  const Eigen::MatrixXd lower = Eigen::LLT<Eigen::MatrixXd>(matrix).matrixL();
-  return 2.0 * lower.diagonal().array().log().sum();
-}
-
-struct Edge {
-  Eigen::Index a;
-  Eigen::Index b;
-  Eigen::Matrix3d covariance;
-  double log_determinant;
-};
-
-/// The tree of neighbours whose relative poses are known best: least sum of log-determinants
-/// (Prim's algorithm).
-std::vector<Edge> bestTree(const PoseGraph& graph, const Marginal& marginal) {
-  const auto count = static_cast<Eigen::Index>(marginal.neighbours.size());
-  std::vector<bool> is_in(static_cast<std::size_t>(count), false);
-  is_in[0] = true;
-  std::vector<Edge> tree;
-  while (static_cast<Eigen::Index>(tree.size()) < count - 1) {
-    Edge best{0, 0, {}, std::numeric_limits<double>::infinity()};
-    for (Eigen::Index a = 0; a < count; ++a) {
-      for (Eigen::Index b = 0; b < count; ++b) {
-        if (!is_in[static_cast<std::size_t>(a)] || is_in[static_cast<std::size_t>(b)]) {
-          continue;
-        }
-        const Eigen::Matrix3d covariance = relativeCovariance(graph, marginal, a, b);
-        const double log_determinant = logDeterminant(covariance);
-        if (log_determinant < best.log_determinant) {
-          best = {a, b, covariance, log_determinant};
-        }
+  /// Whether there are enough later nodes where a node is.
+  [[nodiscard]] bool isCrowded(std::size_t node) const {
+    int later_here = 0;
+    for (std::size_t other = node + 1; is_tied_[node] && other < is_tied_.size(); ++other) {
+      later_here += isAt(graph_.poses[node], other) ? 1 : 0;
+      if (later_here >= config_.nodes_per_place) {
+        return true;
       }
     }
-    if (!std::isfinite(best.log_determinant)) {
-      return {};
-    }
-    is_in[static_cast<std::size_t>(best.b)] = true;
-    tree.push_back(best);
+    return false;
   }
-  return tree;
-}
 
-/// What the tree's edges know of each other, which constraints of their own can't say.
-double divergenceOf(const std::vector<Edge>& tree, const Marginal& marginal) {
-  const Eigen::Index kept = marginal.covariance.cols() - 3;
-  const double edges =
-      std::accumulate(tree.begin(), tree.end(), 0.0,
-                      [](double sum, const Edge& edge) { return sum + edge.log_determinant; });
-  return 0.5 * (edges - logDeterminant(marginal.covariance.bottomRightCorner(kept, kept)));
-}
+  void untie(std::size_t node) { is_tied_[node] = false; }
 
-Constraint constraintOf(const PoseGraph& graph, const Marginal& marginal, const Edge& edge) {
-  const auto meanOf = [&](Eigen::Index i) {
-    const NodeId id = marginal.neighbours[static_cast<std::size_t>(i)];
-    return Pose2::fromVector(graph.poses[id].vector() + marginal.shift.segment<3>(3 * i));
-  };
-  Constraint constraint;
-  constraint.from = marginal.neighbours[static_cast<std::size_t>(edge.a)];
-  constraint.to = marginal.neighbours[static_cast<std::size_t>(edge.b)];
-  constraint.kind = ConstraintKind::kMatch;
-  constraint.T_from_to = relativePose(meanOf(edge.a), meanOf(edge.b));
-  // From the axes of `from` to those of the measurement.
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = constraint.T_from_to.rotation();
-  const Eigen::Matrix3d information = turn.transpose() * edge.covariance.inverse() * turn;
-  constraint.information = 0.5 * (information + information.transpose());
-  return constraint;
-}
-
-bool isFixture(const PoseGraph& graph, NodeId node) {
-  const auto contains = [](const std::vector<NodeId>& nodes, NodeId id) {
-    return std::find(nodes.begin(), nodes.end(), id) != nodes.end();
-  };
-  return contains(graph.held, node) || contains(graph.points, node) ||
-         std::any_of(graph.constraints.begin(), graph.constraints.end(), [&](const Constraint& c) {
-           return c.from == node && c.kind == ConstraintKind::kLandmark;
-         });
-}
-
-/// Takes out the node and its constraints, and moves later indices down.
-void erase(PoseGraph& graph, NodeId node) {
-  auto& constraints = graph.constraints;
-  constraints.erase(
-      std::remove_if(constraints.begin(), constraints.end(),
-                     [node](const Constraint& c) { return c.from == node || c.to == node; }),
-      constraints.end());
-  const auto moveDown = [node](NodeId& id) { id -= id > node ? 1 : 0; };
-  for (Constraint& constraint : constraints) {
-    moveDown(constraint.from);
-    moveDown(constraint.to);
+ private:
+  [[nodiscard]] bool isAt(const Pose2& pose, std::size_t node) const {
+    const Pose2& other = graph_.poses[node];
+    return is_tied_[node] && geometry::distance(pose, other) < config_.spacing &&
+           std::abs(geometry::angleDifference(pose.theta, other.theta)) < config_.turn;
   }
-  std::for_each(graph.held.begin(), graph.held.end(), moveDown);
-  std::for_each(graph.points.begin(), graph.points.end(), moveDown);
-  graph.poses.erase(graph.poses.begin() + node);
-}
+
+  const PoseGraph& graph_;
+  const ThinningConfig& config_;
+  std::vector<bool> is_tied_;  ///< by node: what is tied to nothing was taken out before
+};
 
 }  // namespace
-
-std::optional<double> removeNode(PoseGraph& graph, NodeId node, double max_divergence) {
-  if (isFixture(graph, node) || neighboursOf(graph, node).empty()) {
-    return std::nullopt;
-  }
-  const auto marginal = marginalOf(graph, node);
-  if (!marginal) {
-    return std::nullopt;
-  }
-  std::vector<Constraint> replacements;
-  double divergence = 0.0;
-  if (marginal->neighbours.size() > 1) {
-    const std::vector<Edge> tree = bestTree(graph, *marginal);
-    divergence = divergenceOf(tree, *marginal);
-    if (tree.empty() || !(divergence <= max_divergence)) {
-      return std::nullopt;
-    }
-    for (const Edge& edge : tree) {
-      replacements.push_back(constraintOf(graph, *marginal, edge));
-    }
-  }
-  graph.constraints.insert(graph.constraints.end(), replacements.begin(), replacements.end());
-  erase(graph, node);
-  return std::max(divergence, 0.0);
-}
 
 std::vector<std::string> ThinningConfig::validate() const {
   geometry::Violations violations;
   violations.requireAbove("spacing", spacing, 0.0);
   violations.requireAbove("turn", turn, 0.0);
-  violations.requireAtLeast("nodes_per_place", nodes_per_place, 1);
+  violations.requireAtLeast("nodes_per_place", nodes_per_place, 0);
   violations.requireAtLeast("newest", newest, 0);
   violations.requireAtLeast("max_divergence", max_divergence, 0.0);
   return violations.sentences();
 }
 
-ThinningReport thinOut(PoseGraph& graph, const ThinningConfig& config) {
-  geometry::throwIfAny(config.validate());
-  ThinningReport report;
-  report.kept.resize(graph.poses.size());
-  std::iota(report.kept.begin(), report.kept.end(), NodeId{0});
+bool isAnyCrowded(const PoseGraph& graph, const ThinningConfig& config) {
+  const Places places(graph, config);
   const auto newest = static_cast<std::size_t>(config.newest);
-  for (std::size_t node = 1; node + newest < graph.poses.size();) {
-    const Pose2& pose = graph.poses[node];
-    const auto later_here = std::count_if(
-        graph.poses.begin() + static_cast<std::ptrdiff_t>(node) + 1, graph.poses.end(),
-        [&](const Pose2& other) {
-          return geometry::distance(pose, other) < config.spacing &&
-                 std::abs(geometry::angleDifference(pose.theta, other.theta)) < config.turn;
-        });
-    const auto lost = later_here >= config.nodes_per_place
-                          ? removeNode(graph, static_cast<NodeId>(node), config.max_divergence)
-                          : std::nullopt;
-    if (lost) {
-      report.divergence += *lost;
-      report.kept.erase(report.kept.begin() + static_cast<std::ptrdiff_t>(node));
-    } else {
-      ++node;
+  for (std::size_t node = 1; node + newest < graph.poses.size(); ++node) {
+    if (places.isCrowded(node)) {
+      return true;
     }
   }
+  return false;
+}
+
+std::vector<Retirement> retireNodes(PoseGraph& graph, const ThinningConfig& config) {
+  geometry::throwIfAny(config.validate());
+  std::vector<Retirement> retired;
+  if (config.nodes_per_place == 0) {
+    return retired;
+  }
+  Places places(graph, config);
+  const auto newest = static_cast<std::size_t>(config.newest);
+  for (std::size_t node = 1; node + newest < graph.poses.size(); ++node) {
+    const auto retirement =
+        places.isCrowded(node)
+            ? retireNode(graph, static_cast<NodeId>(node), config.max_divergence, config.kernels)
+            : std::nullopt;
+    if (retirement) {
+      places.untie(node);
+      retired.push_back(*retirement);
+    }
+  }
+  return retired;
+}
+
+ThinningReport thinOut(PoseGraph& graph, const ThinningConfig& config) {
+  ThinningReport report;
+  const std::vector<NodeId> held = graph.held;
+  std::vector<NodeId> nodes;
+  for (const Retirement& retirement : retireNodes(graph, config)) {
+    nodes.push_back(retirement.node);
+    report.divergence += retirement.divergence;
+  }
+  for (NodeId node = 0; node < graph.poses.size(); ++node) {
+    if (!std::binary_search(nodes.begin(), nodes.end(), node)) {
+      report.kept.push_back(node);
+    }
+  }
+  graph.held = held;
+  eraseNodes(graph, nodes);
   return report;
 }
 

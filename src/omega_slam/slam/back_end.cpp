@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
@@ -17,6 +18,9 @@ namespace {
 
 /// By which factor the squared error of a loop that was let be must grow to call for a new doubt.
 constexpr double kWorse = 2.0;
+
+/// [keyframes] between two looks for some that may retire: each is worth a solve of the whole.
+constexpr std::size_t kRetireEvery = 50;
 
 /// First guess of a node's pose: by the constraint that says most of it.
 Pose2 placeByBest(const graph::PoseGraph& graph, NodeId node,
@@ -36,11 +40,13 @@ std::vector<std::string> BackEndConfig::validate() const {
   violations.include("graph", graph.validate());
   violations.requireAtLeast("solve_error", solve_error, 0.0);
   violations.include("doubt", doubt.validate());
+  violations.include("thinning", thinning.validate());
   return violations.sentences();
 }
 
 BackEnd::BackEnd(const BackEndConfig& config) : config_(config), solver_(config.graph) {
   geometry::throwIfAny(config_.validate());
+  config_.thinning.kernels = config_.graph.solver.kernels;
 }
 
 std::string BackEnd::addKeyframe(NodeId id, const Pose2& T_odom_base,
@@ -59,8 +65,13 @@ std::string BackEnd::addKeyframe(NodeId id, const Pose2& T_odom_base,
   if (id > 0 && valid.empty()) {
     return "keyframe without a valid constraint";
   }
+  std::transform(valid.begin(), valid.end(), valid.begin(),
+                 [this](const Constraint& c) { return retired_.carried(c); });
   solver_.addNode(id > 0 ? placeByBest(graph(), id, valid) : Pose2{}, valid);
   T_odom_newest_ = T_odom_base;
+  if (graph().poses.size() >= looked_at_ + kRetireEvery) {
+    retireSome();
+  }
   return {};
 }
 
@@ -70,15 +81,19 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
   double error = 0.0;  // largest [standard deviations]
   for (const Constraint& constraint : constraints) {
     const std::string fault = graph::faultOf(constraint, graph().poses.size());
-    if (fault.empty()) {
-      valid.push_back(constraint);
-      error = std::max(error, std::sqrt(graph::chiSquare(graph(), constraint)));
-    } else if (refusal.empty()) {
-      refusal = fault;
+    if (!fault.empty()) {
+      refusal = refusal.empty() ? fault : refusal;
+      continue;
+    }
+    const Constraint carried = retired_.carried(constraint);
+    if (carried.from != carried.to) {
+      valid.push_back(carried);
+      error = std::max(error, std::sqrt(graph::chiSquare(graph(), carried)));
     }
   }
   if (!valid.empty()) {
     solver_.addConstraints(valid);
+    moveRetired();
   }
   if (error > config_.solve_error) {
     solve();
@@ -92,6 +107,7 @@ const graph::SolveReport& BackEnd::solve() {
     doubtLoops();
     letBe();
   }
+  moveRetired();
   return report_;
 }
 
@@ -115,7 +131,12 @@ double BackEnd::limitOf(std::size_t k) const {
 void BackEnd::doubtLoops() {
   ++doubts_;
   graph::PoseGraph all = graph();
-  all.constraints.insert(all.constraints.end(), withdrawn_.begin(), withdrawn_.end());
+  std::vector<Constraint> contradicted;
+  for (const Constraint& loop : withdrawn_) {
+    const Constraint carried = retired_.carried(loop);
+    const bool is_pointless = carried.from == carried.to;  // its keyframes go together by now
+    (is_pointless ? contradicted : all.constraints).push_back(is_pointless ? loop : carried);
+  }
   const graph::RobustReport doubt = graph::solveWithDoubtfulLoops(all, config_.doubt);
   if (doubt.solution.status != graph::SolveStatus::kConverged) {
     return;
@@ -124,11 +145,11 @@ void BackEnd::doubtLoops() {
   for (const graph::LoopVerdict& loop : doubt.loops) {
     is_contradicted[loop.constraint] = loop.standing == graph::LoopStanding::kContradicted;
   }
-  withdrawn_.clear();
   std::vector<Constraint> kept;
   for (std::size_t k = 0; k < all.constraints.size(); ++k) {
-    (is_contradicted[k] ? withdrawn_ : kept).push_back(all.constraints[k]);
+    (is_contradicted[k] ? contradicted : kept).push_back(all.constraints[k]);
   }
+  withdrawn_ = std::move(contradicted);
   all.constraints = std::move(kept);
   report_ = solver_.resume(std::move(all));
 }
@@ -140,8 +161,39 @@ void BackEnd::letBe() {
   }
 }
 
+/// Constraints are folded together where the graph is at rest.
+void BackEnd::retireSome() {
+  looked_at_ = graph().poses.size();
+  if (config_.thinning.nodes_per_place == 0 || !graph::isAnyCrowded(graph(), config_.thinning)) {
+    return;
+  }
+  solve();
+  graph::PoseGraph thinned = graph();
+  const std::vector<graph::Retirement> newly = graph::retireNodes(thinned, config_.thinning);
+  if (newly.empty()) {
+    return;
+  }
+  for (const graph::Retirement& retirement : newly) {
+    retired_.add(retirement);
+  }
+  std::copy_if(graph().constraints.begin(), graph().constraints.end(), std::back_inserter(folded_),
+               [this](const Constraint& c) {
+                 return c.kind == graph::ConstraintKind::kLoop &&
+                        (retired_.has(c.from) || retired_.has(c.to));
+               });
+  report_ = solver_.resume(std::move(thinned));
+  letBe();
+  moveRetired();
+}
+
+void BackEnd::moveRetired() {
+  retired_.follow(graph().poses, [this](NodeId node, const Pose2& T_map_node) {
+    solver_.place(node, T_map_node);
+  });
+}
+
 BeliefAccount BackEnd::beliefs() const {
-  BeliefAccount account{{}, withdrawn_};
+  BeliefAccount account{{}, withdrawn_, folded_};
   account.weights.reserve(graph().constraints.size());
   for (const Constraint& constraint : graph().constraints) {
     const graph::RobustKernel& kernel = config_.graph.solver.kernels.of(constraint.kind);

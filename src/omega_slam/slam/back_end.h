@@ -6,8 +6,10 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/incremental_solver.h"
 #include "omega_slam/graph/pose_graph.h"
+#include "omega_slam/graph/retired_nodes.h"
 #include "omega_slam/graph/robust_loops.h"
 #include "omega_slam/graph/solver.h"
+#include "omega_slam/graph/thinning.h"
 
 namespace omega_slam::slam {
 
@@ -18,6 +20,9 @@ struct BackEndConfig {
   double solve_error{1.0};
   /// When a loop lies off by more than `doubt.gate` in the solved graph, all loops are doubted.
   graph::RobustConfig doubt;
+  /// Which keyframes retire, so that the graph grows with the area that is driven and not with the
+  /// time. Its kernels do not matter: they are those of `graph`.
+  graph::ThinningConfig thinning{0.5, 0.5, 20, 50, 1.0, graph::kPlain};
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -26,6 +31,8 @@ struct BackEndConfig {
 struct BeliefAccount {
   std::vector<double> weights;  ///< [0, 1] of each of the graph; empty where nobody knows
   std::vector<graph::Constraint> withdrawn;  ///< loops that are no part of the graph any more
+  /// Loops that went with keyframes which have retired: they count in what was put in their place.
+  std::vector<graph::Constraint> folded{};
 };
 
 /// Holds the graph, keeps it solved, and says where the odometry frame lies in the map.
@@ -54,11 +61,16 @@ class BackEnd {
   /// Solves the whole graph until it rests, without the loops that are then withdrawn.
   const graph::SolveReport& solve();
 
+  /// Keyframe i is node i. Those that have retired are held, have no constraints, and go with
+  /// their anchors.
   [[nodiscard]] const graph::PoseGraph& graph() const { return solver_.graph(); }
+  [[nodiscard]] std::size_t retired() const { return retired_.size(); }  ///< keyframes
   /// Of the last solve of the whole graph.
   [[nodiscard]] const graph::SolveReport& report() const { return report_; }
   /// Loops that the rest contradicts; they are no part of the graph.
   [[nodiscard]] const std::vector<graph::Constraint>& withdrawn() const { return withdrawn_; }
+  /// BeliefAccount::folded
+  [[nodiscard]] const std::vector<graph::Constraint>& folded() const { return folded_; }
 
   /// At the present poses, by the kernels.
   [[nodiscard]] BeliefAccount beliefs() const;
@@ -76,15 +88,20 @@ class BackEnd {
   [[nodiscard]] double limitOf(std::size_t k) const;
   void doubtLoops();
   void letBe();
+  void retireSome();
+  void moveRetired();
 
   BackEndConfig config_;
   graph::IncrementalSolver solver_;
   geometry::Pose2 T_odom_newest_;
   graph::SolveReport report_;
   std::vector<graph::Constraint> withdrawn_;
+  std::vector<graph::Constraint> folded_;
   std::size_t doubts_{0};
   /// Squared errors of the constraints after the last doubt; those that came since are not in it.
   std::vector<double> let_be_;
+  graph::RetiredNodes retired_;
+  std::size_t looked_at_{0};  ///< keyframes that there were when some were last sought to retire
 };
 
 }  // namespace omega_slam::slam

@@ -109,6 +109,9 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
   const auto separation = static_cast<NodeId>(config_.min_separation);
   std::vector<Candidate> all;
   for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
+    if (!known.reaches(earlier)) {
+      continue;  // it has retired, and newer ones have seen its place
+    }
     const double deviation = known.placeDeviation(earlier);
     const double way = distance(graph.poses[earlier], graph.poses[id]);
     const double span = std::min(kDeviations * deviation, config_.max_window.translation);

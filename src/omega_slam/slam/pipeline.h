@@ -51,6 +51,11 @@ class Pipeline {
   [[nodiscard]] const std::vector<graph::Constraint>& withdrawnLoops() const {
     return back_end_.withdrawn();
   }
+  /// BeliefAccount::folded
+  [[nodiscard]] const std::vector<graph::Constraint>& foldedLoops() const {
+    return back_end_.folded();
+  }
+  [[nodiscard]] std::size_t retiredKeyframes() const { return back_end_.retired(); }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
 
   /// One pose `T_map_base` for every scan that came with a finite stamp, in their order. Between

@@ -151,6 +151,23 @@ TEST(LoopFigures, WeightsAreThoseOfTheLoopsAndNoneOfWithdrawnOnes) {
   EXPECT_EQ(figures[1].residual_translation, 3.0);
 }
 
+TEST(LoopFigures, FoldedLoopsAreListedAsSuch) {
+  graph::PoseGraph graph;
+  graph.poses.resize(2);
+  graph::Constraint loop;
+  loop.to = 1;
+  loop.T_from_to.x = 3.0;
+  loop.kind = graph::ConstraintKind::kLoop;
+  Report report;
+  report.loops = loopFigures(graph, {}, {loop}, {loop});
+  ASSERT_EQ(report.loops->size(), 2U);
+  EXPECT_FALSE(report.loops->front().is_folded);
+  EXPECT_TRUE(report.loops->back().is_folded);
+  EXPECT_EQ(report.loops->back().residual_translation, 3.0);
+  EXPECT_NE(toJson(report).find("\"folded\": true"), std::string::npos);
+  EXPECT_NE(toMarkdown(report).find("| folded |"), std::string::npos);
+}
+
 TEST(PathLength, SumsTheSteps) {
   EXPECT_EQ(pathLength({}), 0.0);
   EXPECT_DOUBLE_EQ(pathLength({{0, {0, 0, 0}}, {1, {3, 4, 1}}, {2, {3, 5, 2}}}), 6.0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "omega_slam/sensing/scan_intake.h"
@@ -68,6 +69,29 @@ TEST(LoopCloser, LooksNeitherAtTheNewestNorBeyondTheRadius) {
   EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.008)).empty())
       << "nothing so near but neighbours";
   EXPECT_TRUE(closer.search(4, test::chainOf(truth, 0.008)).empty()) << "nothing old enough";
+}
+
+TEST(LoopCloser, KeyframesThatHaveRetiredAreNotSearchedFor) {
+  LoopCloser closer(smallConfig());
+  const auto truth = thereAndBack();
+  for (graph::NodeId id = 0; id < truth.size(); ++id) {
+    closer.addKeyframe(keyframeAt(id, truth[id]));
+  }
+  graph::PoseGraph graph = test::chainOf(truth, kDeviation);
+  const auto loops = closer.search(8, graph);
+  ASSERT_EQ(loops.size(), 1U);
+  const graph::NodeId retired = loops[0].from;
+  auto& ties = graph.constraints;
+  ties.erase(std::remove_if(ties.begin(), ties.end(),
+                            [&](const auto& c) { return c.from < retired || c.to < retired; }),
+             ties.end());
+  EXPECT_EQ(closer.search(8, graph).at(0).from, retired) << "those before it have retired";
+  ties.erase(std::remove_if(ties.begin(), ties.end(),
+                            [&](const auto& c) { return c.from == retired || c.to == retired; }),
+             ties.end());
+  for (const auto& loop : closer.search(8, graph)) {
+    EXPECT_NE(loop.from, retired);
+  }
 }
 
 TEST(LoopCloser, APlaceThatIsKnownWellNeedsNoLoop) {
