@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <stdexcept>
 
@@ -15,6 +16,12 @@ class Cursor {
 
   [[nodiscard]] std::size_t left() const { return bytes_.size() - position_; }
   [[nodiscard]] unsigned byte() { return static_cast<unsigned char>(bytes_[position_++]); }
+
+  /// Whether nothing but white space is left.
+  [[nodiscard]] bool isBlank() const {
+    return std::all_of(bytes_.begin() + static_cast<std::ptrdiff_t>(position_), bytes_.end(),
+                       [](unsigned char byte) { return std::isspace(byte) != 0; });
+  }
 
   /// Next decimal number, past white space and comments.
   /// @param what for the message where there is none
@@ -62,6 +69,15 @@ void checkSize(const Cursor& cursor, std::uint64_t needed_bytes) {
   }
 }
 
+/// More bytes than pixels: the size is not that of the image. Blanks at the end are an editor's.
+void checkEnd(const Cursor& cursor) {
+  if (!cursor.isBlank()) {
+    throw std::runtime_error(fmt::format(
+        "after the pixels that its header promises {} bytes are left: the size is wrong",
+        cursor.left()));
+  }
+}
+
 std::uint8_t scaled(unsigned value, unsigned maximum) {
   if (value > maximum) {
     throw std::runtime_error(fmt::format(
@@ -93,7 +109,7 @@ GrayImage decodePgm(std::string_view bytes) {
   // Plain pixels take a digit and a blank each, the last one perhaps no blank; in front of binary
   // ones stands a single blank.
   checkSize(cursor, binary ? 1 + count * (wide ? 2 : 1) : 2 * count);
-  GrayImage image{static_cast<int>(width), static_cast<int>(height), {}};
+  GrayImage image{static_cast<int>(width), static_cast<int>(height), {}, {}};
   image.pixels.reserve(count);
   if (binary) {
     static_cast<void>(cursor.byte());
@@ -105,6 +121,7 @@ GrayImage decodePgm(std::string_view bytes) {
     }
     image.pixels.push_back(scaled(value, maximum));
   }
+  checkEnd(cursor);
   return image;
 }
 

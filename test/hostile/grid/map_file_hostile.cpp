@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "omega_slam/grid/atomic_file.h"
 #include "omega_slam/grid/map_file.h"
 #include "support/seeds.h"
 #include "support/temporary_folder.h"
@@ -60,7 +61,11 @@ TEST(MapFileHostile, YamlFaultsNameTheKey) {
       {"0.05", "0", "key 'resolution' must be above 0 m, not 0"},
       {"0.05", "-0.05", "key 'resolution' must be above 0 m"},
       {"0.05", ".nan", "key 'resolution' must be above 0 m"},
-      {"resolution", "resolutoin", "key 'resolution' is missing"},
+      {"resolution: 0.05\n", "", "key 'resolution' is missing"},
+      {"resolution", "resolutoin", "key 'resolutoin' is not known; there are image, resolution,"},
+      {"negate: 0", "negate: 0\nMode: raw", "key 'Mode' is not known"},
+      {"negate: 0", "negate: 0\n[1]: 2", "key '' is not known"},
+      {"0.65", "0.196", "0 <= free_thresh < occupied_thresh <= 1, not 0.196 and 0.196"},
       {"[0, 0, 0]", "[0, 0]", "key 'origin' must be three finite numbers [x, y, yaw]"},
       {"[0, 0, 0]", "[0, .inf, 0]", "key 'origin' must be three finite numbers [x, y, yaw]"},
       {"[0, 0, 0]", "here", "key 'origin' must be three numbers [x, y, yaw]"},
@@ -104,6 +109,8 @@ TEST(MapFileHostile, ImageFaultsNameTheImage) {
       {"P5 2 # only a comment", "the height is missing or not a number"},
       {"P5 2 2 255\nabc", "the image is cut off: its header promises at least 5 bytes"},
       {"P5 2 2 65535\nabcdefg", "the image is cut off"},
+      {"P5 2 2 255\nabcdef", "after the pixels that its header promises 2 bytes are left"},
+      {"P2 2 1 255\n0 0 0", "after the pixels that its header promises 2 bytes are left"},
       {"P2 2 2 255\n0 0 0", "the image is cut off"},
       {"P2 2 2 255\n0 0 x 0      ", "a pixel is missing or not a number"},
       {"P2 2 1 255\n0 256", "a pixel of 256 is above the maximum 255"},
@@ -122,27 +129,69 @@ TEST(MapFileHostile, ImageFaultsNameTheImage) {
   }
 }
 
-TEST(MapFileHostile, DamagedBytesNeverDoWorseThanAnError) {
+/// A PNG as saveMap writes it.
+std::string goodPng(const test::TemporaryFolder& folder) {
+  const OccupancyGrid map = makeGrid({0.05, {0, 0}, 40, 30}, kUnknown);
+  return readFile(
+      saveMap(map, folder.path() / "good", {MapMode::kScale, ImageKind::kPng}).paths.at(0));
+}
+
+TEST(MapFileHostile, PngFaultsNameTheImage) {
   const test::TemporaryFolder folder;
-  const fs::path yaml = folder.write("m.yaml", kGoodYaml);
-  const std::string good = "P5\n# comment\n4 3\n255\n" + std::string(12, '\x7f');
+  const fs::path yaml = folder.write("m.yaml", replaced(kGoodYaml, "m.pgm", "m.png"));
+  const std::string good = goodPng(folder);
+  std::string huge = good;
+  huge.replace(16, 8, std::string("\0\0\x75\x30\0\0\x75\x30", 8));  // 30000 x 30000
+  const std::pair<std::string, const char*> rows[] = {
+      {good.substr(0, 8), "the image is cut off"},
+      {good.substr(0, 30), "the image is cut off"},
+      {good.substr(0, good.size() / 2), "the image is cut off"},
+      {good.substr(0, good.size() - 12), "the image is cut off"},
+      {good.substr(0, good.size() - 1), "the image is cut off"},
+      {huge, "a size of 30000 x 30000 pixels is not usable"},
+      {replaced(good, std::string("\0\0\0\x28", 4), std::string(4, '\0')), "a size of 0 x 30"},
+      {"GIF89a", "it is no image, or a damaged one"},
+  };
+  for (const auto& [bytes, says] : rows) {
+    const fs::path image = folder.write("m.png", bytes);
+    const std::string said = complaint(yaml);
+    EXPECT_THAT(said, HasSubstr(says)) << bytes.size();
+    EXPECT_THAT(said, ::testing::StartsWith(image.string() + ": "));
+  }
+  folder.write("m.png", good);
+  EXPECT_EQ(complaint(yaml), "");
+}
+
+/// Cuts and changes a good image in many ways; each must be read whole or refused by its name.
+void damage(const std::string& good, const std::string& name) {
+  const test::TemporaryFolder folder;
+  const fs::path yaml = folder.write("m.yaml", replaced(kGoodYaml, "m.pgm", name));
   for (const std::uint64_t seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     for (int trial = 0; trial < 300; ++trial) {
-      std::string bytes = good.substr(0, random() % (good.size() + 1));
+      std::string bytes = good.substr(0, random() % 2 == 0 ? good.size() : random() % good.size());
       for (int change = 0; change < 3 && !bytes.empty(); ++change) {
         bytes[random() % bytes.size()] = static_cast<char>(random() % 256);
       }
-      folder.write("m.pgm", bytes);
+      folder.write(name, bytes);
       try {
         const MapImage image = loadMapImage(yaml);
         ASSERT_EQ(image.pixels.size(), image.geometry.size());
+        ASSERT_EQ(toOccupancyGrid(image).cells.size(), image.geometry.size());
       } catch (const std::runtime_error& error) {
-        ASSERT_THAT(error.what(), HasSubstr("m.pgm"));
+        ASSERT_THAT(error.what(), HasSubstr(name));
       }
     }
   }
+}
+
+TEST(MapFileHostile, ADamagedPgmDoesNoWorseThanAnError) {
+  damage("P5\n# comment\n4 3\n255\n" + std::string(12, '\x7f'), "m.pgm");
+}
+
+TEST(MapFileHostile, ADamagedPngDoesNoWorseThanAnError) {
+  damage(goodPng(test::TemporaryFolder()), "m.png");
 }
 
 TEST(MapFileHostile, MapsThatCannotBeSavedAreRefused) {

@@ -64,31 +64,6 @@ TEST(MapFile, NegateSwapsBlackAndWhite) {
   }
 }
 
-TEST(MapFile, ThresholdsAreExclusive) {
-  MapImage image;
-  image.geometry.width = 3;
-  image.geometry.height = 1;
-  image.occupied_threshold = 200 / 255.0;
-  image.free_threshold = 100 / 255.0;
-  image.negate = true;
-  image.pixels = {100, 200, 201};
-  EXPECT_THAT(toOccupancyGrid(image).cells, ElementsAre(-1, -1, 100));
-}
-
-TEST(MapFile, ModesAreThoseOfMapServer) {
-  const test::TemporaryFolder folder;
-  folder.write("m.pgm", "P2 4 1 255 255 150 100 0");
-  const auto cells = [&folder](const std::string& mode) {
-    return toOccupancyGrid(
-               loadMapImage(folder.write("m.yaml", yamlText("m.pgm", "negate: 0\n" + mode))))
-        .cells;
-  };
-  EXPECT_THAT(cells("mode: trinary\n"), ElementsAre(0, -1, -1, 100));
-  // (105 / 255 - 0.196) / (0.65 - 0.196) * 99 = 47.05 and (155 / 255 - 0.196) / ... = 89.8
-  EXPECT_THAT(cells("mode: scale\n"), ElementsAre(0, 47, 89, 100));
-  EXPECT_THAT(cells("mode: raw\n"), ElementsAre(-1, -1, 100, 0));
-}
-
 TEST(MapFile, ReadsOtherImagesThroughOpenCv) {
   const test::TemporaryFolder folder;
   cv::Mat picture(2, 2, CV_8UC1, cv::Scalar(254));
@@ -119,6 +94,57 @@ TEST(MapFile, SavesWhatMapServerReads) {
   EXPECT_EQ(readFile(saved.paths[1]),
             "image: \"map.v2.pgm\"\nresolution: 0.05\norigin: [-1.25, 3, 0]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+TEST(MapFile, SavesScaleAsPngWithUnknownCellsTransparent) {
+  const test::TemporaryFolder folder;
+  const OccupancyGrid map{{0.05, {-1.25, 3.0}, 2, 2}, {0, 37, -1, 100}};
+  const SaveResult saved = saveMap(map, folder.path() / "map", {MapMode::kScale, ImageKind::kPng});
+  ASSERT_TRUE(saved.success) << saved.message;
+  EXPECT_EQ(saved.paths[0].filename(), "map.png");
+  EXPECT_EQ(readFile(saved.paths[1]),
+            "image: \"map.png\"\nresolution: 0.05\norigin: [-1.25, 3, 0]\nnegate: 0\n"
+            "occupied_thresh: 0.996078431372549\nfree_thresh: 0.00196078431372549\n"
+            "mode: scale\n");
+  const cv::Mat picture = cv::imread(saved.paths[0].string(), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(picture.channels(), 4);
+  EXPECT_EQ(picture.at<cv::Vec4b>(1, 0), cv::Vec4b(255, 255, 255, 255));  // lower left: free
+  EXPECT_EQ(picture.at<cv::Vec4b>(0, 0)[3], 0);
+  EXPECT_EQ(picture.at<cv::Vec4b>(0, 1), cv::Vec4b(0, 0, 0, 255));
+  EXPECT_EQ(toOccupancyGrid(loadMapImage(saved.paths[1])).cells, map.cells);
+}
+
+TEST(MapFile, SavesRawCells) {
+  const test::TemporaryFolder folder;
+  const OccupancyGrid map{{0.05, {0.0, 0.0}, 4, 1}, {0, 37, -1, 100}};
+  const SaveResult saved = saveMap(map, folder.path() / "map", {MapMode::kRaw, ImageKind::kPgm});
+  ASSERT_TRUE(saved.success) << saved.message;
+  EXPECT_EQ(readFile(saved.paths[0]),
+            "P5\n# 0.05 m/pix\n4 1\n255\n" + std::string("\x00\x25\xff\x64", 4));
+  EXPECT_THAT(readFile(saved.paths[1]), HasSubstr("mode: raw\n"));
+}
+
+TEST(MapFile, SavesNoUnknownCellsWithScaleInAPgm) {
+  const test::TemporaryFolder folder;
+  OccupancyGrid map{{0.05, {0.0, 0.0}, 2, 1}, {0, -1}};
+  const MapFormat format{MapMode::kScale, ImageKind::kPgm};
+  const SaveResult refused = saveMap(map, folder.path() / "map", format);
+  EXPECT_FALSE(refused.success);
+  EXPECT_THAT(refused.message, HasSubstr("transparent pixels, which a PGM does not have"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  map.cells[1] = 50;
+  EXPECT_TRUE(saveMap(map, folder.path() / "map", format).success);
+}
+
+TEST(MapFile, FormatsHaveNames) {
+  for (const MapMode mode : {MapMode::kTrinary, MapMode::kScale, MapMode::kRaw}) {
+    EXPECT_EQ(mapModeFromName(toString(mode)), mode);
+  }
+  for (const ImageKind kind : {ImageKind::kPgm, ImageKind::kPng}) {
+    EXPECT_EQ(imageKindFromName(toString(kind)), kind);
+  }
+  EXPECT_FALSE(mapModeFromName("quad"));
+  EXPECT_FALSE(imageKindFromName("PNG"));
 }
 
 TEST(MapFile, OverwritesAnOldMap) {
