@@ -132,8 +132,11 @@ class MapBuilderNode {
     if (!map) {
       return {false, "There is no map to save: nothing has been drawn yet.", {}};
     }
-    auto result = grid::saveMap(mapping::render(map->snapshot, mapping::MapLayer::kVerdict),
-                                std::filesystem::absolute(stem));
+    const auto layer = config_.save_format.mode == grid::MapMode::kTrinary
+                           ? mapping::MapLayer::kVerdict
+                           : mapping::MapLayer::kProbability;
+    auto result = grid::saveMap(mapping::render(map->snapshot, layer),
+                                std::filesystem::absolute(stem), config_.save_format);
     diagnostics_.set("last save", result.message);
     if (!result.success) {
       ROS_WARN_STREAM(result.message);

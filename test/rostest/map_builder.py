@@ -203,6 +203,22 @@ class MapBuilderTest(NodeTest):
         self.assertIn('/proc/no', failed.message)
         self.assertEqual(failed.paths, [])
 
+    def testProbabilitiesAreSavedIfAskedFor(self):
+        stem = self.folder() / 'shades'
+        self.start({'save_mode': 'raw', 'save_image': 'png'})
+        probabilities = self.listen('map_probability', OccupancyGrid)
+        self.connect(probabilities)
+        self.send(PATH)
+        self.mapOf(3)
+        saved = self.service('save_map', SaveMap)(str(stem))
+        self.assertEqual(saved.paths, [f'{stem}.png', f'{stem}.yaml'], saved.message)
+        self.startNode('map_publisher', {'map_file': f'{stem}.yaml'}, ['map:=saved_map'])
+        grid = self.listen('saved_map', OccupancyGrid).waitFor()
+        shown = probabilities.waitFor(lambda m: sum(c >= 0 for c in m.data) ==
+                                      sum(c >= 0 for c in grid.data))
+        self.assertEqual(sorted(set(grid.data)), sorted(set(shown.data)))
+        self.assertGreater(len(set(grid.data)), 3)
+
     def testTheMapIsSavedAtTheEndIfAskedFor(self):
         stem = self.folder() / 'last'
         self.start({'save_stem': str(stem), 'save_on_exit': True, 'update_interval': 3600.0})
@@ -268,6 +284,7 @@ class MapBuilderTest(NodeTest):
             ({'resolution': -0.05}, ['map_builder/resolution']),
             ({'save_on_exit': 1}, ['map_builder/save_on_exit']),
             ({'save_stem': ''}, ['save_stem']),
+            ({'save_mode': 'scale'}, ['map_builder/save_image', 'PGM']),
             ({'renderer': 'square'}, ['map_builder/renderer', 'triangle']),
             ({'free_threshold': 0.9}, ['map_builder/free_threshold']),
         ])

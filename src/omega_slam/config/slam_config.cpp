@@ -153,6 +153,18 @@ void read(ParameterReader reader, graph::IncrementalConfig& config) {
   reader.read("max_move", config.max_move, kPositiveLength);
 }
 
+void readFormat(ParameterReader& reader, grid::MapFormat& format) {
+  std::string mode = grid::toString(format.mode);
+  std::string image = grid::toString(format.image);
+  reader.read("save_mode", mode, {"trinary", "scale", "raw"});
+  reader.read("save_image", image, {"pgm", "png"});
+  format.mode = grid::mapModeFromName(mode).value();
+  format.image = grid::imageKindFromName(image).value();
+  if (const std::string fault = format.whyNot(true); !fault.empty()) {
+    reader.fault("save_image can't be pgm: " + fault);
+  }
+}
+
 void readMapper(ParameterReader& reader, mapping::OccupancyMapperConfig& mapper) {
   reader.read("resolution", mapper.resolution, {0.001, 10.0});
   reader.read("max_range", mapper.max_range, kLength);
@@ -230,6 +242,7 @@ void read(ParameterReader& reader, MapBuilderNodeConfig& config) {
   readFrame(reader, "map_frame", config.map_frame);
   reader.read("update_interval", config.update_interval, kDuration);
   reader.read("save_stem", config.save_stem);
+  readFormat(reader, config.save_format);
   reader.read("save_on_exit", config.save_on_exit);
   if (config.save_stem.empty()) {
     reader.fault("save_stem must not be empty.");

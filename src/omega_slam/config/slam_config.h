@@ -3,6 +3,7 @@
 #include <string>
 
 #include "omega_slam/config/parameter_reader.h"
+#include "omega_slam/grid/map_file.h"
 #include "omega_slam/mapping/occupancy_mapper.h"
 #include "omega_slam/motion/odometry_motion_model.h"
 #include "omega_slam/sensing/scan_intake.h"
@@ -51,6 +52,7 @@ struct MapBuilderNodeConfig {
   double update_interval{2.0};       ///< [s] the map is published at most so often
   bool always_send_whole_map{true};  ///< not only when it has grown, and to new subscribers
   std::string save_stem{"map"};      ///< path without ending that the service save_map writes to
+  grid::MapFormat save_format;       ///< trinary shows walls and free space, others probabilities
   bool save_on_exit{false};          ///< also write there when the node ends
 };
 

@@ -62,5 +62,16 @@ TEST(SlamConfig, SaveStemIsNotEmpty) {
             "`node/save_stem` must not be empty.");
 }
 
+TEST(SlamConfig, MapsAreSavedInAnyFormatThatCanHoldThem) {
+  MapBuilderNodeConfig config;
+  ParameterReader reader(YAML::Load("{save_mode: scale, save_image: png}"), "map_builder");
+  read(reader, config);
+  EXPECT_NO_THROW(reader.finish());
+  EXPECT_EQ(config.save_format.mode, grid::MapMode::kScale);
+  EXPECT_EQ(config.save_format.image, grid::ImageKind::kPng);
+  EXPECT_THAT(faultsOf<MapBuilderNodeConfig>("save_mode: scale"),
+              HasSubstr("`node/save_image` can't be pgm: the mode scale"));
+}
+
 }  // namespace
 }  // namespace omega_slam::config
