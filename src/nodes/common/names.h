@@ -27,6 +27,7 @@ inline constexpr char kExplorationStatus[] = "exploration_status";
 inline constexpr char kExplorationMarkers[] = "exploration_markers";
 
 inline constexpr char kDynamicMapService[] = "dynamic_map";
+inline constexpr char kStaticMapService[] = "static_map";
 inline constexpr char kSaveMapService[] = "save_map";
 inline constexpr char kSaveGraphService[] = "save_graph";  ///< private
 inline constexpr char kResetService[] = "reset";           ///< private

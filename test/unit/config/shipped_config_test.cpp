@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "omega_slam/config/exploration_config.h"
+#include "omega_slam/config/map_publisher_config.h"
 #include "omega_slam/config/slam_config.h"
 #include "support/paths.h"
 
@@ -25,6 +26,7 @@ const ShippedSection kSections[] = {
     {"scan_matcher", "slam.yaml", "scan_matcher", readDefault<ScanMatcherNodeConfig>},
     {"graph_slam", "slam.yaml", "graph_slam", readDefault<GraphSlamNodeConfig>},
     {"map_builder", "slam.yaml", "map_builder", readDefault<MapBuilderNodeConfig>},
+    {"map_publisher", "map_publisher.yaml", "", readDefault<MapPublisherNodeConfig>, "map_file"},
     {"frontier_explorer", "exploration.yaml", "", readDefault<FrontierExplorerNodeConfig>},
 };
 
