@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "omega_slam/grid/ray_traversal.h"
+#include "omega_slam/mapping/ray_fan.h"
 #include "omega_slam/mapping/triangle_fill.h"
 
 namespace omega_slam::mapping {
@@ -19,8 +20,10 @@ Eigen::Vector2d freeEnd(const SweepRays& rays, const Ray& ray, double range_nois
 }
 
 void renderLine(const SweepRays& rays, const Ray& ray, const Eigen::Vector2d& free_end,
-                SweepCells& cells) {
-  grid::traverseCells(rays.start, free_end, [&cells](const auto& cell) { cells.markFree(cell); });
+                SweepCells& cells, int skipped) {
+  grid::traverseRows(rays.start, free_end, skipped, [&cells](int y, int first_x, int last_x) {
+    cells.markFreeRow(y, first_x, last_x);
+  });
   if (ray.is_hit) {
     cells.markOccupied(cellOf(ray.end));
   }
@@ -28,8 +31,15 @@ void renderLine(const SweepRays& rays, const Ray& ray, const Eigen::Vector2d& fr
 
 void BeamRenderer::render(const SweepRays& rays, SweepCells& cells) const {
   cells.begin(rays.box);
+  std::vector<Eigen::Vector2d> free_ends;
+  free_ends.reserve(rays.rays.size());
   for (const Ray& ray : rays.rays) {
-    renderLine(rays, ray, freeEnd(rays, ray, range_noise_), cells);
+    free_ends.push_back(freeEnd(rays, ray, range_noise_));
+  }
+  const RayFan fan(rays.start, free_ends);
+  for (std::size_t k = 0; k < rays.rays.size(); ++k) {
+    const Ray& ray = rays.rays[k];
+    renderLine(rays, ray, free_ends[k], cells, fan.coveredBorders(k));
     if (width_ * ray.length > 1.0) {
       renderWide(rays, ray, cells);
     }

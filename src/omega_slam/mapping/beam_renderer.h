@@ -30,7 +30,8 @@ class BeamRenderer : public SweepRenderer {
 [[nodiscard]] Eigen::Vector2d freeEnd(const SweepRays& rays, const Ray& ray, double range_noise);
 
 /// Marks the cells of a line without width: free up to `free_end`, the last cell of a hit occupied.
+/// @param skipped so much of it that is free need not be marked: see grid::traverseRows()
 void renderLine(const SweepRays& rays, const Ray& ray, const Eigen::Vector2d& free_end,
-                SweepCells& cells);
+                SweepCells& cells, int skipped = 0);
 
 }  // namespace omega_slam::mapping

@@ -11,14 +11,10 @@ void SweepCells::begin(const CellBox& expected) {
   numbers_.growTo(tilesOf(expected));
 }
 
-void SweepCells::markFreeRow(int y, int first_x, int last_x) {
+void SweepCells::markFreeAcross(int y, int first_x, int last_x) {
   for (int x = first_x; x <= last_x;) {
-    const int within = x & (kTileSide - 1);
-    const int count = std::min(kTileSide - within, last_x - x + 1);
-    const std::uint64_t ones = ~std::uint64_t{0} >> static_cast<unsigned>(kTileSide - count);
-    const grid::Cell cell(x, y);
-    tileAt(tileOf(cell)).free[static_cast<std::size_t>(withinTile(cell).y())] |=
-        ones << static_cast<unsigned>(within);
+    const int count = std::min(kTileSide - (x & (kTileSide - 1)), last_x - x + 1);
+    markFreeWithin(y, x, count);
     x += count;
   }
 }

@@ -27,7 +27,13 @@ class SweepCells {
   void markOccupied(const grid::Cell& cell) { mark(&SweepTile::occupied, cell); }
   void markFree(const grid::Cell& cell) { mark(&SweepTile::free, cell); }
   /// Cells from `first_x` to `last_x` of a row, both included; none if `last_x < first_x`.
-  void markFreeRow(int y, int first_x, int last_x);
+  void markFreeRow(int y, int first_x, int last_x) {
+    if (tileOf({first_x, y}) == tileOf({last_x, y})) {
+      markFreeWithin(y, first_x, last_x - first_x + 1);
+    } else {
+      markFreeAcross(y, first_x, last_x);
+    }
+  }
 
   [[nodiscard]] const std::vector<SweepTile>& tiles() const { return tiles_; }
   /// Of a tile; null where the sweep says nothing.
@@ -36,6 +42,17 @@ class SweepCells {
   [[nodiscard]] CellBox tileBox() const;
 
  private:
+  /// `count` cells of a row, all in one tile; none if it is below 1.
+  void markFreeWithin(int y, int first_x, int count) {
+    if (count > 0) {
+      const grid::Cell cell(first_x, y);
+      const grid::Cell place = withinTile(cell);
+      tileAt(tileOf(cell)).free[static_cast<std::size_t>(place.y())] |=
+          ~std::uint64_t{0} >> static_cast<unsigned>(kTileSide - count)
+                                   << static_cast<unsigned>(place.x());
+    }
+  }
+  void markFreeAcross(int y, int first_x, int last_x);
   void mark(TileBits SweepTile::*bits, const grid::Cell& cell) {
     const grid::Cell place = withinTile(cell);
     (tileAt(tileOf(cell)).*bits)[static_cast<std::size_t>(place.y())] |=

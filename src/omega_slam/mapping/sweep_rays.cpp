@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,17 @@ namespace {
 
 /// Cell numbers beyond this are refused: sums and differences of them must fit into an int.
 constexpr double kFarthestCell = 1 << 29;
+
+CellBox boxAround(const SweepRays& rays) {
+  CellBox box;
+  for (const Ray& ray : rays.rays) {
+    box.extend(cellOf(ray.end));
+  }
+  if (!rays.rays.empty()) {
+    box.extend(cellOf(rays.start));
+  }
+  return box;
+}
 
 }  // namespace
 
@@ -25,6 +37,10 @@ std::string placeRays(const sensing::Sweep& sweep, const geometry::Pose2& T_map_
     return "the pose of the laser in the map is not finite";
   }
   rays.start = T_map_laser.translation() / resolution;
+  // From the base frame to cells, seen from the start of the rays.
+  const Eigen::Matrix2d R_map_base =
+      Eigen::Rotation2Dd(T_map_base.theta).toRotationMatrix() / resolution;
+  const Eigen::Vector2d base = T_map_base.translation() / resolution - rays.start;
   double farthest = rays.start.cwiseAbs().maxCoeff();
   const double longest =
       max_range > 0.0 ? max_range / resolution : std::numeric_limits<double>::infinity();
@@ -33,7 +49,7 @@ std::string placeRays(const sensing::Sweep& sweep, const geometry::Pose2& T_map_
     if (seen.kind == sensing::BeamKind::kUnknown) {
       continue;
     }
-    const Eigen::Vector2d whole = (T_map_base * seen.end) / resolution - rays.start;
+    const Eigen::Vector2d whole = base + R_map_base * seen.end;
     const double length = whole.norm();
     if (!std::isfinite(length)) {
       return "the end of a beam is not finite";
@@ -49,12 +65,7 @@ std::string placeRays(const sensing::Sweep& sweep, const geometry::Pose2& T_map_
     return fmt::format("it reaches {:.6g} m away from the origin of the map",
                        farthest * resolution);
   }
-  for (const Ray& ray : rays.rays) {
-    rays.box.extend(cellOf(ray.end));
-  }
-  if (!rays.rays.empty()) {
-    rays.box.extend(cellOf(rays.start));
-  }
+  rays.box = boxAround(rays);
   return {};
 }
 

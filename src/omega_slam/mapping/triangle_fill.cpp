@@ -13,9 +13,15 @@ double sideOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 
 Eigen::Vector2d centerOf(int x, int y) { return {x + 0.5, y + 0.5}; }
 
+/// std::floor for values that fit into an int; without SSE 4.1 that one is a call.
+int floorOf(double value) {
+  const int cut = static_cast<int>(value);
+  return cut - (value < cut ? 1 : 0);
+}
+
 /// The first, and the last, cell whose centre lies in [low, high].
-int firstCenter(double low) { return static_cast<int>(std::ceil(low - 0.5)); }
-int lastCenter(double high) { return static_cast<int>(std::floor(high - 0.5)); }
+int firstCenter(double low) { return -floorOf(0.5 - low); }
+int lastCenter(double high) { return floorOf(high - 0.5); }
 
 /// A side of a triangle, from a lower corner to a higher one.
 class Side {
@@ -26,9 +32,9 @@ class Side {
   /// The first cell of a row whose centre is on the side or right of it.
   [[nodiscard]] int firstRight(int y) const {
     const double x = crossing(y);
-    const auto near = static_cast<int>(std::lround(x));
+    const int near = floorOf(x + 0.5);
     if (std::abs(x - near) > kDoubt) {
-      return static_cast<int>(std::ceil(x));
+      return near < x ? near + 1 : near;
     }
     return sideOf(low_, high_, centerOf(near, y)) <= 0.0 ? near : near + 1;
   }
@@ -36,9 +42,9 @@ class Side {
   /// The last cell of a row whose centre is on the side or left of it.
   [[nodiscard]] int lastLeft(int y) const {
     const double x = crossing(y);
-    const auto near = static_cast<int>(std::lround(x));
+    const int near = floorOf(x + 0.5);
     if (std::abs(x - near) > kDoubt) {
-      return static_cast<int>(std::floor(x));
+      return near > x ? near - 1 : near;
     }
     return sideOf(low_, high_, centerOf(near, y)) >= 0.0 ? near : near - 1;
   }
@@ -77,7 +83,11 @@ void fillTriangle(const Triangle& triangle, SweepCells& cells) {
     const Side& broken = is_above ? upper : lower;
     const Side& left = turn > 0.0 ? broken : whole;
     const Side& right = turn > 0.0 ? whole : broken;
-    cells.markFreeRow(y, left.firstRight(y), right.lastLeft(y));
+    const int first_x = left.firstRight(y);
+    const int last_x = right.lastLeft(y);
+    if (first_x <= last_x) {  // of thin triangles, most rows have no centre inside
+      cells.markFreeRow(y, first_x, last_x);
+    }
   }
 }
 

@@ -76,12 +76,43 @@ CellSet bruteForce(const Point& a, const Point& b) {
   return cells;
 }
 
+using Walk = std::vector<std::pair<int, int>>;
+
+/// The cells of traverseRows, sorted.
+Walk walkByRows(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int skipped = 0) {
+  Walk cells;
+  traverseRows(a, b, skipped, [&cells](int row, int first, int last) {
+    EXPECT_LE(first, last);
+    for (int x = first; x <= last; ++x) {
+      cells.emplace_back(x, row);
+    }
+  });
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/// The cells of traverseCells, sorted, from the one behind so many borders of the longer axis on.
+Walk walkByCells(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int skipped = 0) {
+  const Eigen::Vector2d way = (b - a).cwiseAbs();
+  const int axis = way.x() > way.y() ? 0 : 1;
+  const auto first = static_cast<int>(std::floor(a[axis]));
+  Walk cells;
+  traverseCells(a, b, [&](const Cell& cell) {
+    if (std::abs(cell[axis] - first) >= skipped) {
+      cells.emplace_back(cell.x(), cell.y());
+    }
+  });
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
 void expectExact(const Point& a, const Point& b) {
   std::vector<std::pair<int, int>> visited;
   traverseCells(inCells(a), inCells(b),
                 [&visited](const Cell& c) { visited.emplace_back(c.x(), c.y()); });
   const CellSet unique(visited.begin(), visited.end());
   ASSERT_EQ(unique.size(), visited.size()) << "a cell was visited twice";
+  ASSERT_EQ(walkByRows(inCells(a), inCells(b)), walkByCells(inCells(a), inCells(b)));
   ASSERT_EQ(unique, bruteForce(a, b))
       << "from " << inCells(a).transpose() << " to " << inCells(b).transpose();
 }
@@ -125,6 +156,41 @@ TEST(RayTraversalProperty, ExactFarFromTheOrigin) {
       const Point a{kFar + coordinate(random), coordinate(random) - kFar};
       const Point b{kFar + coordinate(random), coordinate(random) - kFar};
       ASSERT_NO_FATAL_FAILURE(expectExact(a, b));
+    }
+  }
+}
+
+TEST(RayTraversalProperty, RowsHaveTheCellsThatAreNotSkipped) {
+  for (const std::uint64_t seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> coordinate(-100.0, 100.0);
+    std::uniform_int_distribution<int> skipped(0, 150);
+    for (int trial = 0; trial < 3000; ++trial) {
+      Eigen::Vector2d a(coordinate(random), coordinate(random));
+      Eigen::Vector2d b(coordinate(random), coordinate(random));
+      if (trial % 3 == 0) {  // so that corners are met
+        a = a.array().floor();
+        b = b.array().floor();
+      }
+      const int count = skipped(random);
+      ASSERT_EQ(walkByRows(a, b, count), walkByCells(a, b, count))
+          << "from " << a.transpose() << " to " << b.transpose() << ", skipped: " << count;
+    }
+  }
+}
+
+TEST(RayTraversalProperty, RowsThatAreHardlyEnteredAreWalkedToo) {
+  constexpr double kTiny[] = {0.0, 1e-310, 1e-300, 1e-17, 1e-7};
+  for (const double below : kTiny) {
+    for (const double above : kTiny) {
+      for (const double x : {-40.0, 0.0, 40.0}) {
+        const Eigen::Vector2d a(0.0, -below);
+        const Eigen::Vector2d b(x, above);
+        EXPECT_EQ(walkByRows(a, b), walkByCells(a, b)) << below << ' ' << above << ' ' << x;
+        EXPECT_EQ(walkByRows(b, a), walkByCells(b, a)) << below << ' ' << above << ' ' << x;
+        EXPECT_EQ(walkByRows(a, b, 7), walkByCells(a, b, 7)) << below << ' ' << above << ' ' << x;
+      }
     }
   }
 }
