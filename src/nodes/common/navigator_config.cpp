@@ -1,5 +1,7 @@
 #include "nodes/common/navigator_config.h"
 
+#include "omega_slam/config/slam_config.h"
+
 namespace omega_slam {
 namespace {
 
@@ -13,15 +15,6 @@ void readFrame(config::ParameterReader& reader, const std::string& key, std::str
   if (frame.empty() || frame.front() == '/') {
     reader.fault(key + " must be the name of a frame, without a leading '/'.");
   }
-}
-
-void readScans(config::ParameterReader reader, sensing::ScanIntakeConfig& scans) {
-  reader.read("min_range", scans.min_range, kLength);
-  reader.read("max_range", scans.max_range, kLength);
-  reader.read("no_return_range", scans.no_return_range, kLength);
-  reader.read("nan_is_no_return", scans.nan_is_no_return);
-  reader.read("min_beams", scans.min_beams, {1.0, 100000.0});
-  reader.faults(scans.validate());
 }
 
 void readCostmap(config::ParameterReader reader, navigation::CostmapConfig& costmap) {
@@ -83,7 +76,7 @@ void read(config::ParameterReader& reader, NavigatorNodeConfig& config) {
   reader.read("stall_time", navigator.stall_time, kPositiveDuration);
   reader.read("progress_time", navigator.progress_time, kPositiveDuration);
   reader.read("blocked_time", navigator.blocked_time, kDuration);
-  readScans(reader.group("scans"), config.scans);
+  config::readScans(reader.group("scans"), config.scans);
   readCostmap(reader.group("costmap"), navigator.costmap);
   readPlanner(reader.group("planner"), navigator.planner);
   readFollower(reader.group("follower"), navigator.follower);

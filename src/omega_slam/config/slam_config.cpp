@@ -31,15 +31,6 @@ void read(ParameterReader reader, motion::OdometryMotionModelConfig& config) {
   reader.faults(config.validate());
 }
 
-void read(ParameterReader reader, sensing::ScanIntakeConfig& config) {
-  reader.read("min_range", config.min_range, kLength);
-  reader.read("max_range", config.max_range, kLength);
-  reader.read("no_return_range", config.no_return_range, kLength);
-  reader.read("nan_is_no_return", config.nan_is_no_return);
-  reader.read("min_beams", config.min_beams, {1.0, 100000.0});
-  reader.faults(config.validate());
-}
-
 // The faults of these are found by the validate() of what they belong to.
 
 void read(ParameterReader reader, matching::MatchConfig& config) {
@@ -197,6 +188,15 @@ void read(ParameterReader reader, graph::ThinningConfig& config) {
 
 }  // namespace
 
+void readScans(ParameterReader reader, sensing::ScanIntakeConfig& config) {
+  reader.read("min_range", config.min_range, kLength);
+  reader.read("max_range", config.max_range, kLength);
+  reader.read("no_return_range", config.no_return_range, kLength);
+  reader.read("nan_is_no_return", config.nan_is_no_return);
+  reader.read("min_beams", config.min_beams, {1.0, 100000.0});
+  reader.faults(config.validate());
+}
+
 void read(ParameterReader& reader, MotionModelNodeConfig& config) {
   reader.read("odometry_source", config.odometry_source, {"topic", "tf"});
   readFrame(reader, "odom_frame", config.odom_frame);
@@ -212,7 +212,7 @@ void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
   readFrame(reader, "base_frame", config.base_frame);
   readLaserPose(reader, config.laser_pose);
   reader.read("odometry_wait", config.odometry_wait, kDuration);
-  read(reader.group("scans"), config.intake);
+  readScans(reader.group("scans"), config.intake);
   slam::FrontEndConfig& front_end = config.front_end;
   reader.read("keyframe_translation", front_end.keyframe_translation, kPositiveLength);
   reader.read("keyframe_rotation", front_end.keyframe_rotation, {0.001, 3.15});

@@ -63,6 +63,9 @@ struct SlamConfig {
   MapBuilderNodeConfig map_builder;
 };
 
+/// The group of whoever takes scans in.
+void readScans(ParameterReader reader, sensing::ScanIntakeConfig& config);
+
 /// Each reads its section and does not call finish().
 void read(ParameterReader& reader, MotionModelNodeConfig& config);
 void read(ParameterReader& reader, ScanMatcherNodeConfig& config);
