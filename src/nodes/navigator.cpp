@@ -35,7 +35,6 @@ namespace omega_slam {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kBumperReach = 2.0;  // radii of the robot within which a bumper's points lie
 
 navigation::Footprint footprintOf(const NavigatorNodeConfig& config, const ros::NodeHandle& nh) {
   if (config.radius > 0.0) {
@@ -149,21 +148,12 @@ class NavigatorNode {
   }
 
   void onBumper(const sensor_msgs::PointCloud2::ConstPtr& message) {
-    const auto points = pointsWithin(*message, kBumperReach * navigator_.radius());
-    if (points.empty()) {
-      return;
+    const auto contacts = contactsOf(*message, navigator_.radius(), config_.base_frame, tf_buffer_);
+    if (contacts.value) {
+      navigator_.touch(*contacts.value, ros::Time::now().toSec());
+    } else {
+      diagnostics_.reject("no place of the bumper on the robot", contacts.problem);
     }
-    const auto T_base_bumper =
-        lookupPose(tf_buffer_, config_.base_frame, message->header.frame_id, ros::Time(0));
-    if (!T_base_bumper.value) {
-      diagnostics_.reject("no place of the bumper on the robot", T_base_bumper.problem);
-      return;
-    }
-    std::vector<Eigen::Vector2d> p_base;
-    for (const Eigen::Vector2d& point : points) {
-      p_base.push_back(T_base_bumper.value->pose * point);
-    }
-    navigator_.touch(p_base, ros::Time::now().toSec());
   }
 
   void onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& message) {
@@ -209,6 +199,9 @@ class NavigatorNode {
   }
 
   void onPreempt() {
+    if (server_.isNewGoalAvailable()) {
+      return;  // onGoal() hands over without a stop
+    }
     navigator_.cancel();
     command({});
     server_.setPreempted({}, "Somebody wanted it otherwise.");

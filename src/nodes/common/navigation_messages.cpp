@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "nodes/common/conversions.h"
 
 namespace omega_slam {
 namespace {
 
-constexpr double kTouched = 99.0;  // value of a place where the robot would touch something
+constexpr double kBumperReach = 2.0;  // radii of the robot within which pressed bumpers lie
+constexpr double kTouched = 99.0;     // value of a place where the robot would touch something
 
 /// Whether an iterator over this field stays within the cloud's data.
 bool hasFloats(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
@@ -20,6 +22,22 @@ bool hasFloats(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
          !cloud.is_bigendian && field->offset + sizeof(float) <= cloud.point_step &&
          cloud.data.size() ==
              static_cast<std::size_t>(cloud.point_step) * cloud.width * cloud.height;
+}
+
+std::vector<Eigen::Vector2d> pointsWithin(const sensor_msgs::PointCloud2& cloud, double reach) {
+  std::vector<Eigen::Vector2d> points;
+  if (!hasFloats(cloud, "x") || !hasFloats(cloud, "y")) {
+    return points;
+  }
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
+  for (; x != x.end(); ++x, ++y) {
+    const Eigen::Vector2d point(static_cast<double>(*x), static_cast<double>(*y));
+    if (point.norm() < reach) {  // and not NaN
+      points.push_back(point);
+    }
+  }
+  return points;
 }
 
 }  // namespace
@@ -70,20 +88,22 @@ nav_msgs::OccupancyGrid costmapToRos(const navigation::Costmap& costmap,
   return gridToRos(result, frame, stamp);
 }
 
-std::vector<Eigen::Vector2d> pointsWithin(const sensor_msgs::PointCloud2& cloud, double reach) {
-  std::vector<Eigen::Vector2d> points;
-  if (!hasFloats(cloud, "x") || !hasFloats(cloud, "y")) {
-    return points;
+TfAnswer<std::vector<Eigen::Vector2d>> contactsOf(const sensor_msgs::PointCloud2& bumper,
+                                                  double robot_radius,
+                                                  const std::string& base_frame,
+                                                  const tf2::BufferCore& buffer) {
+  std::vector<Eigen::Vector2d> contacts = pointsWithin(bumper, kBumperReach * robot_radius);
+  if (contacts.empty()) {
+    return {std::move(contacts), {}};
   }
-  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
-  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
-  for (; x != x.end(); ++x, ++y) {
-    const Eigen::Vector2d point(static_cast<double>(*x), static_cast<double>(*y));
-    if (point.norm() < reach) {  // and not NaN
-      points.push_back(point);
-    }
+  const auto T_base_bumper = lookupPose(buffer, base_frame, bumper.header.frame_id, ros::Time(0));
+  if (!T_base_bumper.value) {
+    return {std::nullopt, T_base_bumper.problem};
   }
-  return points;
+  for (Eigen::Vector2d& contact : contacts) {
+    contact = T_base_bumper.value->pose * contact;
+  }
+  return {std::move(contacts), {}};
 }
 
 }  // namespace omega_slam

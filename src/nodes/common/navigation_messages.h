@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "nodes/common/tf_lookup.h"
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/navigation/costmap.h"
 #include "omega_slam/navigation/path.h"
@@ -30,9 +31,11 @@ namespace omega_slam {
                                                    const std::string& frame,
                                                    const ros::Time& stamp);
 
-/// Points of a cloud with float fields x and y that are nearer to its origin than `reach` [m]: a
-/// bumper that is not pressed says so by a point far away.
-[[nodiscard]] std::vector<Eigen::Vector2d> pointsWithin(const sensor_msgs::PointCloud2& cloud,
-                                                        double reach);
+/// Where a bumper's points, float fields x and y, say that it is pressed, in the base frame [m].
+/// One that is not pressed says so by a point far away: beyond two radii of the robot.
+/// @return no value if tf does not know where the bumper is
+[[nodiscard]] TfAnswer<std::vector<Eigen::Vector2d>> contactsOf(
+    const sensor_msgs::PointCloud2& bumper, double robot_radius, const std::string& base_frame,
+    const tf2::BufferCore& buffer);
 
 }  // namespace omega_slam

@@ -12,11 +12,11 @@
 namespace omega_slam::navigation {
 
 struct CostmapConfig {
-  int occupied_threshold{50};   ///< [%] cells of the map from this value on are obstacles
-  bool unknown_is_free{false};  ///< whether plans may lead through what the map does not know
-  double reach{4.0};            ///< [m] around the robot in which live obstacles are remembered
-  double memory{8.0};           ///< [s] an obstacle lasts that is no longer looked at
-  double contact_memory{30.0};  ///< [s] a place lasts where the robot has bumped into something
+  int occupied_threshold{50};    ///< [%] cells of the map from this value on are obstacles
+  bool unknown_is_free{false};   ///< whether plans may lead through what the map does not know
+  double reach{4.0};             ///< [m] around the robot in which live obstacles are remembered
+  double memory{8.0};            ///< [s] an obstacle lasts that is no longer looked at
+  double contact_memory{600.0};  ///< [s] a place lasts where the robot has bumped into something
 
   [[nodiscard]] std::vector<std::string> validate() const;  ///< all violations, a sentence each
 };
@@ -43,6 +43,7 @@ class Costmap {
   /// @param points [m] where the robot touches something, at time `now` [s]
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
   void expire(double now) { live_.expire(now); }
+  void forgetSeen() { live_.forgetSeen(); }  ///< but not what was touched
   void forgetLive() { live_.forget(); }
 
   /// What the map says of a cell. Outside of the map all is unknown; where plans may lead through

@@ -11,16 +11,21 @@
 namespace omega_slam::navigation {
 namespace {
 
-constexpr double kRolloutStep = 0.1;     // [s] between poses of a rollout
+constexpr double kArc = 0.6;             // [m] that motions are looked at ahead,
+constexpr double kShortestArc = 0.12;    // [m] but at the end of a path only so far,
+constexpr double kArcStep = 0.05;        // [m] in such steps
 constexpr double kSearchAhead = 1.5;     // [m] of the path in which progress is looked for
 constexpr double kTurnEnough = 0.25;     // [rad] off course, from which a turn on the spot is over
 constexpr double kStandingSpeed = 0.03;  // [m/s] and [rad/s], slower counts as standing
 constexpr double kLeastSpeed = 0.01;     // [m/s] of a drive
+constexpr double kTightSpeed = 0.12;     // [m/s] however tight it is
 constexpr double kStraightEnough = 0.1;  // [rad] off course, from which turning does not help
 constexpr double kContactSlack = 0.005;  // [m] it may come nearer to what it touches
 constexpr double kCrawl = 0.06;          // [m/s] never slower than this towards the end
 constexpr double kOffPathWeight = 1.5;   // of a metre beside the path, in metres of progress
 constexpr double kCourseWeight = 0.35;   // [m/rad]
+constexpr double kRoomWeight = 1.0;      // of a metre of room that lacks to be comfortable
+constexpr double kComfort = 0.15;        // [m] beyond the footprint
 
 double approach(double value, double target, double max_change) {
   return value + std::clamp(target - value, -max_change, max_change);
@@ -128,44 +133,53 @@ motion::Twist2 Follower::brake(const motion::Twist2& velocity, double dt) const 
           approach(velocity.angular, 0.0, config_.max_angular_acceleration * dt)};
 }
 
-std::vector<geometry::Pose2> Follower::arcOf(const geometry::Pose2& T_map_base,
-                                             const motion::Twist2& velocity) const {
-  // At least until it could have stopped.
-  const double stop = std::abs(velocity.linear) / config_.max_linear_acceleration;
-  const int steps =
-      static_cast<int>(std::ceil(std::max(config_.horizon, stop + kRolloutStep) / kRolloutStep));
-  std::vector<geometry::Pose2> arc;
+Follower::Outlook Follower::lookAlong(const Costmap& costmap, const geometry::Pose2& T_map_base,
+                                      const motion::Twist2& velocity) const {
+  // Where it already has less room than its radius, it must not get less.
+  const double room = costmap.solidClearance(T_map_base.translation());
+  const double least = std::min(radius_, room - kContactSlack);
+  const double left = (path_.path().back() - T_map_base.translation()).norm();
+  const double reach = std::clamp(left, kShortestArc, kArc);
+  const int steps = static_cast<int>(std::ceil(reach / kArcStep));
+  Outlook outlook;
+  outlook.reach = reach;
+  outlook.room = room;
   for (int i = 1; i <= steps; ++i) {
-    const double time = i * kRolloutStep;
-    arc.push_back(T_map_base *
-                  motion::Arc{velocity.linear * time, velocity.angular * time}.toMotion());
+    const double length = reach * i / steps;
+    const double bent = std::min(length, config_.horizon * velocity.linear);
+    const geometry::Pose2 pose =
+        T_map_base * motion::Arc{bent, bent * velocity.angular / velocity.linear}.toMotion() *
+        geometry::Pose2{length - bent, 0.0, 0.0};
+    const double clearance = costmap.solidClearance(pose.translation());
+    if (clearance < least) {
+      break;
+    }
+    outlook.room = std::min(outlook.room, clearance);
+    outlook.clear = length;
+    outlook.arc.push_back(pose);
   }
-  return arc;
+  return outlook;
 }
 
-bool Follower::isAdmissible(const Costmap& costmap, const std::vector<geometry::Pose2>& arc,
-                            double speed, double room) const {
-  // Where there is less room than wanted, it must not become still less.
-  const double wanted = radius_ + config_.clearance_time * std::abs(speed);
-  const double least = room < radius_ ? room - kContactSlack
-                                      : std::max(radius_, std::min(wanted, room - kContactSlack));
-  return std::all_of(arc.begin(), arc.end(), [&](const geometry::Pose2& pose) {
-    return costmap.solidClearance(pose.translation()) >= least;
-  });
+double Follower::speedWithin(double room) const {
+  const double spare = std::max(0.0, room - radius_);
+  return config_.clearance_time > 0.0 ? std::max(kTightSpeed, spare / config_.clearance_time)
+                                      : config_.max_linear_speed;
 }
 
-double Follower::score(const std::vector<geometry::Pose2>& arc) const {
-  const geometry::Pose2& end = arc.back();
+double Follower::score(const Outlook& outlook, double speed) const {
+  const geometry::Pose2& end = outlook.arc.back();
   const auto projection =
       path_.project(end.translation(), along_, along_ + kSearchAhead + config_.look_ahead);
-  return projection.along - kOffPathWeight * projection.distance -
+  const double lack = std::max(0.0, radius_ + kComfort - outlook.room);
+  return projection.along - outlook.reach + config_.horizon * speed -
+         kOffPathWeight * projection.distance - kRoomWeight * lack -
          kCourseWeight * std::abs(courseError(end, projection.along));
 }
 
 FollowerStep Follower::choose(const Costmap& costmap, const geometry::Pose2& T_map_base,
                               const motion::Twist2& velocity, double dt) const {
   const Window window = windowAbout(T_map_base, velocity, dt);
-  const double room = costmap.solidClearance(T_map_base.translation());
   FollowerStep best;
   best.state = FollowState::kBlocked;
   double best_score = -std::numeric_limits<double>::infinity();
@@ -176,11 +190,13 @@ FollowerStep Follower::choose(const Costmap& costmap, const geometry::Pose2& T_m
     }
     for (int j = 0; j < config_.angular_samples; ++j) {
       const double angular = at(window.right, window.left, j, config_.angular_samples);
-      std::vector<geometry::Pose2> arc = arcOf(T_map_base, {linear, angular});
-      const double value = score(arc);
-      if (value > best_score && isAdmissible(costmap, arc, linear, room)) {
+      Outlook outlook = lookAlong(costmap, T_map_base, {linear, angular});
+      if (!isAdmissible(outlook, linear, velocity.linear, dt)) {
+        continue;
+      }
+      if (const double value = score(outlook, linear); value > best_score) {
         best_score = value;
-        best = {FollowState::kDriving, {linear, angular}, std::move(arc), 0.0};
+        best = {FollowState::kDriving, {linear, angular}, std::move(outlook.arc), 0.0};
       }
     }
   }
@@ -192,6 +208,16 @@ FollowerStep Follower::choose(const Costmap& costmap, const geometry::Pose2& T_m
     best.velocity = turns ? turn(off_course, velocity, dt) : brake(velocity, dt);
   }
   return best;
+}
+
+bool Follower::isAdmissible(const Outlook& outlook, double speed, double present, double dt) const {
+  // Braking is always allowed where there is less room than the speed asks for.
+  const double slower = present - 0.5 * config_.max_linear_acceleration * dt;
+  if (speed > std::max(speedWithin(outlook.room), slower)) {
+    return false;
+  }
+  const double to_stop = speed * (dt + 0.5 * speed / config_.max_linear_acceleration);
+  return !outlook.arc.empty() && outlook.clear >= std::min(to_stop, outlook.reach);
 }
 
 Follower::Window Follower::windowAbout(const geometry::Pose2& T_map_base,

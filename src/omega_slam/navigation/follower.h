@@ -16,10 +16,10 @@ struct FollowerConfig {
   double max_angular_speed{1.5};         ///< [rad/s]
   double max_linear_acceleration{0.5};   ///< [m/s^2], also for braking
   double max_angular_acceleration{2.5};  ///< [rad/s^2], also for braking
-  double horizon{1.2};                   ///< [s] for which rollouts look ahead
+  double horizon{1.2};                   ///< [s] for which a turn lasts, then straight on
   double look_ahead{0.5};                ///< [m] it steers for a point so far ahead on the path
   double turn_in_place_angle{0.9};       ///< [rad] farther off course, it stops and turns first
-  double clearance_time{0.3};  ///< [s] room wanted beyond the footprint, per speed: slower where it
+  double clearance_time{0.2};  ///< [s] room wanted beyond the footprint, per speed: slower where it
                                ///< is tight
   double position_tolerance{0.10};  ///< [m] the goal is reached from this distance
   double heading_tolerance{0.15};   ///< [rad]
@@ -48,9 +48,11 @@ struct FollowerStep {
 /// Thrun, "The Dynamic Window Approach to Collision Avoidance", 1997): of the velocities that can
 /// be reached until the next step, those are admissible whose arc stays clear of the map's
 /// obstacles and of what is seen, and the one that leads on best along the path is commanded.
-/// Deviations: arcs are scored by their end's progress along the path, distance from it and course,
-/// not by heading to the goal; and the room that an arc must have grows with its speed, in place of
-/// a weight for clearance. Where the path leads off sharply, it turns on the spot.
+/// Deviations: a motion is looked at as far ahead whatever its speed, as an arc for the horizon and
+/// then straight on, so that a slow robot sees a dead end as well as a fast one; it is scored by
+/// speed, by the progress of its clear part along the path, and by that part's room, distance from
+/// the path and course, not by heading to the goal; and the room that it must have grows with its
+/// speed. Where the path leads off sharply, the robot turns on the spot.
 ///
 /// A robot that already stands nearer to something than its radius may move where it does not come
 /// nearer. Not thread-safe.
@@ -95,11 +97,21 @@ class Follower {
                                     const motion::Twist2& velocity, double dt) const;
   [[nodiscard]] Window windowAbout(const geometry::Pose2& T_map_base,
                                    const motion::Twist2& velocity, double dt) const;
-  [[nodiscard]] bool isAdmissible(const Costmap& costmap, const std::vector<geometry::Pose2>& arc,
-                                  double speed, double room) const;
-  [[nodiscard]] std::vector<geometry::Pose2> arcOf(const geometry::Pose2& T_map_base,
-                                                   const motion::Twist2& velocity) const;
-  [[nodiscard]] double score(const std::vector<geometry::Pose2>& arc) const;
+  /// What a motion would lead to, as far as it is clear.
+  struct Outlook {
+    std::vector<geometry::Pose2> arc;  ///< `T_map_base`, step by step
+    double reach{0.0};                 ///< [m] that was looked at
+    double clear{0.0};                 ///< [m] of it are clear
+    double room{0.0};                  ///< [m] least clearance on the clear part
+  };
+  [[nodiscard]] Outlook lookAlong(const Costmap& costmap, const geometry::Pose2& T_map_base,
+                                  const motion::Twist2& velocity) const;
+  /// [m/s] that the robot may have where there is so much room [m].
+  [[nodiscard]] double speedWithin(double room) const;
+  /// @param present [m/s] speed; @param dt [s] to the next step
+  [[nodiscard]] bool isAdmissible(const Outlook& outlook, double speed, double present,
+                                  double dt) const;
+  [[nodiscard]] double score(const Outlook& outlook, double speed) const;
   [[nodiscard]] double courseError(const geometry::Pose2& pose, double along) const;
 
   FollowerConfig config_;

@@ -110,7 +110,7 @@ Plan GlobalPlanner::plan(const Costmap& costmap, const Eigen::Vector2d& start,
   if (plan.status == PlanStatus::kStartBlocked || plan.status == PlanStatus::kGoalTooNarrow ||
       plan.status == PlanStatus::kNoWay) {
     Costmap map_alone = costmap;
-    map_alone.forgetLive();
+    map_alone.forgetSeen();
     plan.passing = planOnce(map_alone, start, goal, goal_tolerance).found();
   }
   return plan;

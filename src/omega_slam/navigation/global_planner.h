@@ -19,7 +19,7 @@ struct PlannerConfig {
   int seed{1};             ///< of OMPL
   double preferred_clearance{
       0.5};                      ///< [m] from obstacles to the robot's middle, where there is room
-  double clearance_weight{1.0};  ///< a metre without any room to spare costs so much more
+  double clearance_weight{3.0};  ///< a metre without any room to spare costs so much more
   double goal_tolerance{0.2};    ///< [m] a goal is moved so far to where the robot fits
   double leave_distance{1.0};    ///< [m] so far it may drive out of a place where it does not fit
 

@@ -8,6 +8,11 @@
 #include "omega_slam/grid/ray_traversal.h"
 
 namespace omega_slam::navigation {
+namespace {
+
+constexpr double kSoon = 0.1;  // [s] marks that would be dropped before the next scan are dropped
+
+}  // namespace
 
 LiveObstacles::LiveObstacles(double resolution, double reach) : reach_(reach) {
   geometry_.resolution = resolution;
@@ -67,6 +72,7 @@ void LiveObstacles::see(const Sighting& sighting, double memory) {
   if (!sighting.origin.allFinite()) {
     return;
   }
+  (void)drop(sighting.stamp + kSoon);  // with what is seen, so that distances are reckoned once
   for (const auto* ends : {&sighting.returns, &sighting.clear}) {
     for (const Eigen::Vector2d& end : *ends) {
       if (end.allFinite()) {
@@ -94,7 +100,7 @@ void LiveObstacles::touch(const std::vector<Eigen::Vector2d>& points, double unt
   rebuild();
 }
 
-void LiveObstacles::expire(double now) {
+bool LiveObstacles::drop(double now) {
   bool changed = false;
   for (double& until : until_) {
     if (until > 0.0 && until <= now) {
@@ -106,15 +112,23 @@ void LiveObstacles::expire(double now) {
                                   [&](const Contact& contact) { return contact.until <= now; });
   changed = changed || old != contacts_.end();
   contacts_.erase(old, contacts_.end());
-  if (changed) {
+  return changed;
+}
+
+void LiveObstacles::expire(double now) {
+  if (drop(now)) {
     rebuild();
   }
 }
 
-void LiveObstacles::forget() {
+void LiveObstacles::forgetSeen() {
   until_.assign(geometry_.size(), 0.0);
-  contacts_.clear();
   rebuild();
+}
+
+void LiveObstacles::forget() {
+  contacts_.clear();
+  forgetSeen();
 }
 
 void LiveObstacles::rebuild() {

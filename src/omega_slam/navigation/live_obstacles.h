@@ -32,7 +32,8 @@ class LiveObstacles {
   /// Lets time pass: marks and contacts that have lasted long enough are dropped.
   void expire(double now);
 
-  void forget();  ///< all
+  void forgetSeen();  ///< all but the contacts
+  void forget();      ///< all
 
   /// Distances to all that is remembered. Outside of the square nothing is known, and free.
   [[nodiscard]] const grid::DistanceField& field() const { return field_; }
@@ -46,6 +47,7 @@ class LiveObstacles {
   [[nodiscard]] grid::GridGeometry squareAbout(const Eigen::Vector2d& point) const;
   [[nodiscard]] Eigen::Vector2d clipped(const Eigen::Vector2d& origin,
                                         const Eigen::Vector2d& end) const;
+  [[nodiscard]] bool drop(double now);  ///< what has lasted long enough; whether there was any
   void clearAlong(const Eigen::Vector2d& origin, const Eigen::Vector2d& end);
   void rebuild();
 

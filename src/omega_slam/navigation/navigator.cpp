@@ -20,8 +20,6 @@ constexpr double kNearer = 0.3;        // [m] from which it has come nearer to t
 constexpr double kOffPath = 0.35;      // [m] beside its path it needs a new one
 constexpr double kBetter = 0.9;        // share of the old way's cost that a new one must stay below
 constexpr double kJump = 0.15;         // [m] that a pose leaps when the map is corrected
-constexpr double kWaitCheck = 0.5;     // [s] between looks whether the way is free again
-constexpr double kContactSlack = 0.03;  // [m] beyond the footprint, where contacts are marked
 constexpr double kSelf = 0.9;  // share of the inscribed radius: what is seen in there is the robot
 
 Sighting inMap(const Sighting& sighting, const geometry::Pose2& T_map_base, double self) {
@@ -80,21 +78,6 @@ void Navigator::see(const Sighting& sighting, const geometry::Pose2& T_map_base)
   costmap_.see(inMap(sighting, T_map_base, self_radius_), T_map_base.translation());
   seen_ = sighting.stamp;
   has_seen_ = true;
-}
-
-void Navigator::touch(const std::vector<Eigen::Vector2d>& points, double now) {
-  if (!last_pose_ || points.empty()) {
-    return;
-  }
-  std::vector<Eigen::Vector2d> marks;
-  for (const Eigen::Vector2d& p_base : points) {
-    if (p_base.allFinite() && p_base.norm() > 0.0) {
-      const double distance = std::max(p_base.norm(), radius_ + kContactSlack);
-      marks.emplace_back(*last_pose_ * Eigen::Vector2d(p_base.normalized() * distance));
-    }
-  }
-  costmap_.touch(marks, now);
-  in_contact_ = in_contact_ || !marks.empty();
 }
 
 void Navigator::setGoal(const NavigationGoal& goal, double now) {
@@ -205,7 +188,7 @@ void Navigator::noteJump(const geometry::Pose2& T_map_base, double dt) {
   if (last_pose_) {
     const double possible = config_.follower.max_linear_speed * dt + kJump;
     if (geometry::distance(*last_pose_, T_map_base) > possible) {
-      costmap_.forgetLive();  // it was seen from where the robot was believed to be
+      costmap_.forgetSeen();  // it was seen from where the robot was believed to be
       map_changed_ = true;
     }
   }
@@ -309,52 +292,6 @@ void Navigator::noteProgress(const geometry::Pose2& T_map_base, double left) {
     least_left_ = left;
     nearer_at_ = now_;
   }
-}
-
-NavigatorStep Navigator::trouble(const std::string& reason, const geometry::Pose2& T_map_base) {
-  reason_ = reason;
-  recovery_.next(now_, T_map_base);
-  recovering_ = true;
-  turned_ = 0.0;
-  blocked_ = false;
-  return recover(T_map_base, kLeastStep);
-}
-
-NavigatorStep Navigator::recover(const geometry::Pose2& T_map_base, double dt) {
-  NavigatorStep result;
-  result.state = NavigationState::kRecovering;
-  result.reason = reason_;
-  result.recovery = recovery_.stage();
-  turned_ += std::abs(velocity_.angular) * dt;
-  bool over = recovery_.isOver(now_, T_map_base, turned_);
-  switch (recovery_.stage()) {
-    case RecoveryStage::kGiveUp:
-      return finish(NavigationState::kFailed, reason_);
-    case RecoveryStage::kClear:
-      costmap_.forgetLive();
-      break;
-    case RecoveryStage::kBackOff:
-      over = over || !follower_.isClearStraight(costmap_, T_map_base, -0.1);
-      result.velocity.linear = over ? 0.0 : -config_.recovery.back_off_speed;
-      break;
-    case RecoveryStage::kTurn:
-      result.velocity = {0.0, over ? 0.0 : config_.recovery.turn_speed};
-      break;
-    case RecoveryStage::kWait:
-      // People pass, and then there is no need to wait any longer.
-      if (now_ - planned_at_ >= kWaitCheck) {
-        over = replan(T_map_base) || over;
-      }
-      break;
-    case RecoveryStage::kNone:
-      break;
-  }
-  if (over) {
-    recovering_ = false;
-    moved_at_ = nearer_at_ = now_;
-    follower_.stop();  // from here on it needs a new plan
-  }
-  return result;
 }
 
 }  // namespace omega_slam::navigation

@@ -74,7 +74,9 @@ class Navigator {
   /// @param T_map_base at that stamp
   void see(const Sighting& sighting, const geometry::Pose2& T_map_base);
 
-  /// Bumpers are pressed. @param points [m] of contact, in the base frame
+  /// Bumpers are pressed: by something that the laser doesn't see, so it is taken to be as wide as
+  /// the robot, across the direction of the contact. @param points [m] of contact, in the base
+  /// frame
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
 
   /// A goal takes the place of the one before.

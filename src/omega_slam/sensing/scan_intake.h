@@ -14,7 +14,7 @@ struct ScanIntakeConfig {
   double min_range{0.0};  ///< [m] Nearer returns are ignored; the scan's own range_min also holds.
   double max_range{
       0.0};  ///< [m] Farther returns say only "free so far"; 0: the scan's own range_max.
-  double no_return_range{2.0};   ///< [m] A beam without return clears so far, but not beyond the
+  double no_return_range{1.5};   ///< [m] A beam without return clears so far, but not beyond the
                                  ///< limit above; 0: nothing.
   bool nan_is_no_return{false};  ///< Some drivers (urg_node) say NaN where REP-117 asks for +inf.
   int min_beams{1};              ///< Scans with fewer beams are rejected.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kStep = 0.1;  // [s]
 const Footprint kRobot{0.18, 0.2};
+constexpr double kGlass = 3.07;  // [m] x of the robot that touches the glass
 
 /// A room of 6 by 3 m, with a wall that leaves a gap of a metre at its top.
 grid::OccupancyGrid room() {
@@ -48,6 +49,11 @@ class Ride {
     NavigatorStep result = navigator.step(now, known, velocity);
     velocity = result.velocity;
     pose = pose * motion::Arc{velocity.linear * kStep, velocity.angular * kStep}.toMotion();
+    if (has_glass && pose.x > kGlass) {
+      pose.x = kGlass;
+      ++contacts;
+      navigator.touch({pose.rotation().transpose() * Eigen::Vector2d(0.18, 0.0)}, now);
+    }
     return result;
   }
 
@@ -72,6 +78,8 @@ class Ride {
   double least_room{1e9};
   bool sees{true};
   bool is_lost{false};
+  bool has_glass{false};  ///< in the gap, where its laser doesn't see it
+  int contacts{0};
 };
 
 TEST(Navigator, DrivesRoundTheWallAndTakesTheHeading) {
@@ -173,6 +181,19 @@ TEST(Navigator, BacksOffFromAContactAndDrivesAroundIt) {
   EXPECT_EQ(after.recovery, RecoveryStage::kBackOff);
   EXPECT_LT(after.velocity.linear, 0.0);
   EXPECT_EQ(ride.drive(60.0).state, NavigationState::kReached);
+}
+
+TEST(Navigator, TriesAPaneOfGlassTwiceAtMostAndThenKnowsThatThereIsNoWay) {
+  Ride ride;
+  ride.has_glass = true;
+  ride.navigator.setGoal({{5.0, 1.0}, std::nullopt}, ride.now);
+  const NavigatorStep last = ride.drive(120.0);
+  EXPECT_EQ(last.state, NavigationState::kFailed);
+  EXPECT_THAT(last.reason, testing::HasSubstr("no way"));
+  EXPECT_GE(ride.contacts, 1);
+  EXPECT_LE(ride.contacts, 2);
+  ride.navigator.setGoal({{5.0, 2.0}, std::nullopt}, ride.now);
+  EXPECT_EQ(ride.drive(1.0).state, NavigationState::kFailed);
 }
 
 TEST(Navigator, SurvivesTimeThatGoesBackwards) {
