@@ -6,6 +6,7 @@
 #include <omega_slam/PoseGraph.h>
 #include <omega_slam/SetStrategy.h>
 #include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -21,6 +22,7 @@
 #include "nodes/common/exploration_markers.h"
 #include "nodes/common/map_news.h"
 #include "nodes/common/names.h"
+#include "nodes/common/navigation_messages.h"
 #include "nodes/common/node_config.h"
 #include "nodes/common/node_runner.h"
 #include "nodes/common/run_saver.h"
@@ -76,7 +78,8 @@ class FrontierExplorerNode {
     subscribers_ = {nh.subscribe(names::kKeyframe, names::kKeyframeQueue,
                                  &FrontierExplorerNode::onKeyframe, this),
                     nh.subscribe(names::kPoseGraph, 1, &FrontierExplorerNode::onPoseGraph, this),
-                    nh.subscribe(names::kMap, 1, &FrontierExplorerNode::onMap, this)};
+                    nh.subscribe(names::kMap, 1, &FrontierExplorerNode::onMap, this),
+                    nh.subscribe(names::kBumper, 1, &FrontierExplorerNode::onBumper, this)};
   }
 
   void serve(ros::NodeHandle& private_nh) {
@@ -142,6 +145,16 @@ class FrontierExplorerNode {
     }
     explorer_.showMap(map_, sweeps, news.motion ? &*news.motion : nullptr);
     publishMarkers();
+  }
+
+  void onBumper(const sensor_msgs::PointCloud2::ConstPtr& message) {
+    const auto contacts =
+        contactsOf(*message, config_.explorer.robot_radius, config_.base_frame, tf_buffer_);
+    if (contacts.value) {
+      explorer_.touch(*contacts.value);
+    } else {
+      diagnostics_.reject("no place of the bumper on the robot", contacts.problem);
+    }
   }
 
   void onTimer(const ros::TimerEvent& /*event*/) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "omega_slam/exploration/strategy_factory.h"
+#include "omega_slam/sensing/contact.h"
 
 namespace omega_slam::exploration {
 namespace {
@@ -15,6 +16,7 @@ using geometry::Pose2;
 
 constexpr int kContourMargin = 2;    // [cells] a map may be drawn with poses of a moment before
 constexpr double kGoalMoved = 0.1;   // [m] a goal that has moved so far with the map is given anew
+constexpr double kSameMark = 0.02;   // [m] marks of contacts that are nearer are one
 constexpr double kViewMoved = 0.75;  // [m] a frontier that is now better seen from elsewhere
 
 ExplorerConfig checked(const ExplorerConfig& config) {
@@ -55,6 +57,9 @@ void Explorer::showMap(std::shared_ptr<const grid::OccupancyGrid> map,
 void Explorer::moveAlong(const MapMotion& motion, const MapView& old) {
   detector_.move(motion, old);
   set_aside_.move(motion);
+  for (Eigen::Vector2d& mark : touched_) {
+    mark = motion.apply(mark);
+  }
   if (home_) {
     home_ = motion.apply(*home_);
   }
@@ -63,6 +68,25 @@ void Explorer::moveAlong(const MapMotion& motion, const MapView& old) {
     goal_moved_ = goal_moved_ || geometry::distance(moved, goal_->T_map_base) > kGoalMoved;
     goal_->T_map_base = moved;
   }
+}
+
+void Explorer::touch(const std::vector<Eigen::Vector2d>& contacts) {
+  if (!last_pose_) {
+    return;
+  }
+  for (const Eigen::Vector2d& mark :
+       sensing::contactMarks(contacts, *last_pose_, config_.robot_radius)) {
+    const bool is_new = std::none_of(
+        touched_.begin(), touched_.end(),
+        [&mark](const Eigen::Vector2d& other) { return (mark - other).norm() < kSameMark; });
+    if (is_new) {
+      touched_.push_back(mark);
+    }
+  }
+}
+
+Survey Explorer::surveyFrom(const Pose2& T_map_base) const {
+  return {*map_, touched_, T_map_base, config_.robot_radius, config_.sensor_range};
 }
 
 void Explorer::goalEnded(std::uint64_t id, bool reached) {
@@ -112,7 +136,7 @@ bool Explorer::isDecisionDue(double now) const {
 Order Explorer::decide(double now, const Pose2& T_map_base) {
   last_decision_ = now;
   map_is_new_ = false;
-  const Survey survey(*map_, T_map_base, config_.robot_radius, config_.sensor_range);
+  const Survey survey = surveyFrom(T_map_base);
   watchApproach(survey, now);
   judgeGoal(now);
   if (failures_ >= config_.max_failures) {

@@ -79,6 +79,10 @@ class Explorer {
   void showMap(std::shared_ptr<const grid::OccupancyGrid> map,
                const std::vector<PlacedSweep>& news = {}, const MapMotion* motion = nullptr);
 
+  /// Bumpers are pressed: what the laser does not see, no way leads through.
+  /// @param contacts [m] in the base frame, where the robot was last
+  void touch(const std::vector<Eigen::Vector2d>& contacts);
+
   /// To be called a few times a second.
   /// @param now [s]; @param T_map_base none while nobody knows it
   [[nodiscard]] Order update(double now, const std::optional<geometry::Pose2>& T_map_base);
@@ -105,6 +109,7 @@ class Explorer {
 
   void account(double now, const std::optional<geometry::Pose2>& T_map_base);
   void moveAlong(const MapMotion& motion, const MapView& old);
+  [[nodiscard]] Survey surveyFrom(const geometry::Pose2& T_map_base) const;
   [[nodiscard]] bool isDecisionDue(double now) const;
   Order decide(double now, const geometry::Pose2& T_map_base);
   void judgeGoal(double now);
@@ -132,6 +137,7 @@ class Explorer {
   FastDetector detector_;
   SetAsideList set_aside_;
   std::shared_ptr<const grid::OccupancyGrid> map_;
+  std::vector<Eigen::Vector2d> touched_;  ///< [m] map frame
 
   Phase phase_{Phase::kIdle};
   Phase paused_phase_{Phase::kIdle};  ///< that goes on after the pause

@@ -8,7 +8,7 @@ namespace omega_slam::exploration {
 
 struct ExplorerConfig {
   std::string strategy{"tour"};   ///< one of strategyNames()
-  double robot_radius{0.22};      ///< [m] what is kept clear around the robot's middle
+  double robot_radius{0.23};      ///< [m] what is kept clear around the robot's middle
   double sensor_range{4.0};       ///< [m] up to which the laser sees walls
   double min_frontier{0.30};      ///< [m] shorter frontiers are left alone
   double decision_interval{1.0};  ///< [s] the goal is looked at anew so often

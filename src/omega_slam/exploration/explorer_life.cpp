@@ -48,6 +48,7 @@ Reply Explorer::start() {
   }
   dropGoal();
   set_aside_.clear();
+  touched_.clear();
   progress_ = {};
   home_.reset();
   last_pose_.reset();
@@ -173,7 +174,7 @@ Order Explorer::comeHome(double now, const Pose2& T_map_base) {
     return goTo(*home_, 0);
   }
   // On the way the map may have changed.
-  const Survey survey(*map_, T_map_base, config_.robot_radius, config_.sensor_range);
+  const Survey survey = surveyFrom(T_map_base);
   if (ending_ == Ending::kDone && !optionsNow(survey, now).empty()) {
     ending_ = Ending::kNone;
     reason_.clear();

@@ -16,6 +16,16 @@ constexpr double kSnap = 1.0;          // [m] from a robot that is too close to 
 constexpr double kViewDistance = 2.0;  // [m] viewpoints farther from a frontier are none
 constexpr double kWayAhead = 0.5;      // [m] of a way that tell the direction in which it begins
 
+/// The map with obstacles at those points.
+grid::OccupancyGrid blockedAt(const std::vector<Eigen::Vector2d>& points, grid::OccupancyGrid map) {
+  for (const Eigen::Vector2d& point : points) {
+    if (const Cell cell = map.geometry.cellAt(point); map.geometry.contains(cell)) {
+      map.at(cell) = grid::kOccupied;
+    }
+  }
+  return map;
+}
+
 /// A navigation goes by the map as it is, and lets the robot out of where it does not fit; only
 /// where there is no room nearby at all, the robot's own place counts as free, so that it can turn
 /// around.
@@ -28,14 +38,14 @@ StandingRoom roomFor(const grid::OccupancyGrid& map, const MapView& with_own_pla
 
 }  // namespace
 
-Survey::Survey(const grid::OccupancyGrid& map, const geometry::Pose2& T_map_base,
-               double robot_radius, double sensor_range)
-    : map_(withOwnPlaceFree(map, T_map_base.translation(), robot_radius)),
+Survey::Survey(const grid::OccupancyGrid& map, const std::vector<Eigen::Vector2d>& touched,
+               const geometry::Pose2& T_map_base, double robot_radius, double sensor_range)
+    : map_(withOwnPlaceFree(blockedAt(touched, map), T_map_base.translation(), robot_radius)),
       view_(map_),
       T_map_base_(T_map_base),
       robot_radius_(robot_radius),
       sensor_range_(sensor_range),
-      room_(roomFor(map, view_, robot_radius, T_map_base.translation())),
+      room_(roomFor(blockedAt(touched, map), view_, robot_radius, T_map_base.translation())),
       travel_(room_, T_map_base.translation(), kSnap) {}
 
 double Survey::turnTowards(const Eigen::Vector2d& point) const {

@@ -14,9 +14,10 @@ namespace omega_slam::exploration {
 /// where it was made.
 class Survey {
  public:
+  /// @param touched [m] map frame: points of obstacles that the map does not show
   /// @param robot_radius, sensor_range [m] as in ExplorerConfig
-  Survey(const grid::OccupancyGrid& map, const geometry::Pose2& T_map_base, double robot_radius,
-         double sensor_range);
+  Survey(const grid::OccupancyGrid& map, const std::vector<Eigen::Vector2d>& touched,
+         const geometry::Pose2& T_map_base, double robot_radius, double sensor_range);
   Survey(const Survey&) = delete;
   Survey& operator=(const Survey&) = delete;
 

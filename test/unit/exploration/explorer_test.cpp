@@ -191,6 +191,23 @@ TEST(Explorer, StaysWithinAnArea) {
   }
 }
 
+TEST(Explorer, SendsTheRobotNowhereBeyondWhatItHasTouched) {
+  UnderWay run(configOf("nearest_to_robot"), 1);
+  (void)run.explorer.update(run.robot.now(), run.robot.pose());
+  const auto before = static_cast<std::ptrdiff_t>(run.robot.orders().size());
+  std::vector<Eigen::Vector2d> pane;  // of glass, in the first door
+  for (double y = 1.4; y < 2.8; y += 0.1) {
+    pane.push_back(run.robot.pose().inverse() * Eigen::Vector2d(3.05, y));
+  }
+  run.explorer.touch(pane);
+  ASSERT_TRUE(run.robot.run(run.explorer, 500));
+  EXPECT_EQ(run.explorer.ending(), Ending::kDone) << run.explorer.reason();
+  for (auto order = run.robot.orders().begin() + before; order != run.robot.orders().end();
+       ++order) {
+    EXPECT_LT(order->goal.T_map_base.x, 3.2);
+  }
+}
+
 TEST(Explorer, GoalsMoveWithTheMap) {
   UnderWay run;
   const Goal before = *run.explorer.goal();

@@ -91,7 +91,7 @@ TEST(Frontiers, TwentyMetresFromTheOriginTheCentroidStillLiesOnTheFrontier) {
   const MapView view(map);
   FastDetector detector;
   detector.searchAll(view);
-  const Survey survey(map, {18.0, 20.2, 0.0}, 0.2, 4.0);
+  const Survey survey(map, {}, {18.0, 20.2, 0.0}, 0.2, 4.0);
   std::size_t looked_at = 0;
   for (const auto& [id, frontier] : detector.store().all()) {
     EXPECT_TRUE(liesOn(frontier, view, frontier.centroid));
