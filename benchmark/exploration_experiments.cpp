@@ -4,25 +4,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "experiments/csv_file.h"
 #include "experiments/program.h"
 #include "exploration/exploration_run.h"
+#include "exploration/place.h"
 #include "omega_slam/exploration/strategy_factory.h"
-#include "omega_slam/geometry/angle.h"
 #include "omega_slam/simulation/turtlebot.h"
-#include "omega_slam/simulation/world_file.h"
 
 namespace omega_slam::experiments {
 namespace {
 
 struct Arguments {
   std::string world;
+  std::string urdf;
   std::string name;
   std::vector<std::string> strategies{exploration::strategyNames()};
   int seeds{1};
@@ -34,6 +34,7 @@ struct Arguments {
 
 void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("WORLD", arguments.world, "a world file, or a map_server map")->required();
+  app.add_option("--urdf", arguments.urdf, "the robot's description")->required();
   app.add_option("--name", arguments.name, "of the world; default: that of its file");
   app.add_option("--strategies", arguments.strategies)
       ->check(CLI::IsMember(exploration::strategyNames()))
@@ -46,37 +47,10 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--out", arguments.out, "folder for the tables and pictures")->required();
 }
 
-struct Place {
-  std::shared_ptr<const simulation::World> world;
-  geometry::Pose2 start;
-};
-
-/// A map without a world file has no start; the robot then begins in the middle of it.
-Place loadPlace(const std::string& path) {
-  if (path.size() > 11 && path.substr(path.size() - 11) == ".world.yaml") {
-    const simulation::LoadedWorld loaded = simulation::loadWorld(path);
-    return {loaded.world, loaded.file.start};
-  }
-  auto world = std::make_shared<const simulation::World>(
-      simulation::World::fromImage(grid::loadMapImage(path)));
-  const grid::GridGeometry& geometry = world->geometry();
-  const Eigen::Vector2d middle = geometry.center({geometry.width / 2, geometry.height / 2});
-  return {world, {middle.x(), middle.y(), 0.0}};
-}
-
-/// Anywhere that a robot has room and can see enough.
-geometry::Pose2 randomStart(const Place& place, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const Seeable all(*place.world, place.start.translation(), 0.177, 4.0);
-  std::uniform_int_distribution<std::size_t> cell(0, all.cells().size() - 1);
-  std::uniform_real_distribution<double> heading(-geometry::kPi, geometry::kPi);
-  for (int attempt = 0; attempt < 10000; ++attempt) {
-    const Eigen::Vector2d point = all.cells()[cell(random)];
-    if (!place.world->nearestObstacle(point, 0.3)) {
-      return {point.x(), point.y(), heading(random)};
-    }
-  }
-  return place.start;
+std::size_t unseenOf(const RunOutcome& run) {
+  return static_cast<std::size_t>(
+      std::count_if(run.contacts.begin(), run.contacts.end(),
+                    [](const RunContact& contact) { return contact.unseen; }));
 }
 
 class Tables {
@@ -87,7 +61,8 @@ class Tables {
               "coverage,from_home,collisions,unseen,goals,explorer_cpu,navigator_cpu,area"),
         samples_(folder / ("coverage_" + world + ".csv"), "strategy,seed,time,distance,coverage"),
         paths_(folder / ("paths_" + world + ".csv"), "strategy,seed,x,y"),
-        goals_(folder / ("goals_" + world + ".csv"), "strategy,seed,time,x,y,size,fate") {}
+        goals_(folder / ("goals_" + world + ".csv"), "strategy,seed,time,x,y,size,fate"),
+        contacts_(folder / ("contacts_" + world + ".csv"), "strategy,seed,time,x,y,theta,unseen") {}
 
   void add(const std::string& world, const std::string& strategy, int seed, double area,
            const RunOutcome& run) {
@@ -95,9 +70,8 @@ class Tables {
     runs_.row(std::string_view(world), std::string_view(strategy), number,
               std::size_t{run.ended ? 1U : 0U}, std::string_view(toString(run.ending)),
               run.end.time, run.end.distance, run.explored_time, run.explored_distance,
-              run.end.coverage, run.from_home, static_cast<std::size_t>(run.collisions),
-              static_cast<std::size_t>(run.unseen), run.goals.size(), run.explorer_cpu,
-              run.navigator_cpu, area);
+              run.end.coverage, run.from_home, run.contacts.size(), unseenOf(run), run.goals.size(),
+              run.explorer_cpu, run.navigator_cpu, area);
     for (const RunSample& sample : run.samples) {
       samples_.row(std::string_view(strategy), number, sample.time, sample.distance,
                    sample.coverage);
@@ -105,6 +79,11 @@ class Tables {
     for (const RunGoal& goal : run.goals) {
       goals_.row(std::string_view(strategy), number, goal.time, goal.T_map_base.x,
                  goal.T_map_base.y, goal.size, std::string_view('"' + goal.fate + '"'));
+    }
+    for (const RunContact& contact : run.contacts) {
+      contacts_.row(std::string_view(strategy), number, contact.time, contact.T_world_base.x,
+                    contact.T_world_base.y, contact.T_world_base.theta,
+                    std::size_t{contact.unseen ? 1U : 0U});
     }
     for (const Eigen::Vector2d& point : run.path) {
       paths_.row(std::string_view(strategy), number, point.x(), point.y());
@@ -116,6 +95,7 @@ class Tables {
   CsvFile samples_;
   CsvFile paths_;
   CsvFile goals_;
+  CsvFile contacts_;
 };
 
 void run(const Arguments& arguments) {
@@ -124,18 +104,21 @@ void run(const Arguments& arguments) {
                                ? std::filesystem::path(arguments.world).stem().stem().string()
                                : arguments.name;
   std::filesystem::create_directories(arguments.out);
-  const double radius = simulation::KobukiConfig().radius;
+  const navigation::Footprint footprint =
+      navigation::readFootprint(arguments.urdf, "base_footprint");
   const double range = simulation::HokuyoConfig().range_max;
-  const Seeable seeable(*place.world, place.start.translation(), radius, range);
+  const Seeable seeable(*place.world, place.T_world_start.translation(),
+                        footprint.circumscribed_radius, range);
   Tables tables(arguments.out, name);
   for (int seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
     for (const std::string& strategy : arguments.strategies) {
-      RunSetup setup{place.world,       &seeable, place.start, {}, static_cast<std::uint64_t>(seed),
+      RunSetup setup{place.world,       &seeable, place.T_world_start,
+                     footprint,         {},       static_cast<std::uint64_t>(seed),
                      arguments.patience};
       setup.explorer.strategy = strategy;
       setup.explorer.seed = seed;
       if (arguments.random_starts) {
-        setup.T_world_start = randomStart(place, setup.seed);
+        setup.T_world_start = randomStart(place, footprint.circumscribed_radius, setup.seed);
       }
       const RunOutcome outcome = explore(setup);
       tables.add(name, strategy, seed, seeable.area(), outcome);
@@ -145,8 +128,8 @@ void run(const Arguments& arguments) {
           "{} {} {}: {} {:.0f} s, {:.1f} m, {:.2f} % seen, home {:.2f} m, {} collisions, {} of "
           "them unseen. {}\n",
           name, strategy, seed, toString(outcome.ending), outcome.end.time, outcome.end.distance,
-          100.0 * outcome.end.coverage, outcome.from_home, outcome.collisions, outcome.unseen,
-          outcome.reason);
+          100.0 * outcome.end.coverage, outcome.from_home, outcome.contacts.size(),
+          unseenOf(outcome), outcome.reason);
       std::fflush(stdout);
     }
   }

@@ -59,25 +59,38 @@ bool isKnownAround(const grid::OccupancyGrid& map, const Cell& center) {
 
 }  // namespace
 
-Seeable::Seeable(const simulation::World& world, const Eigen::Vector2d& start, double radius,
-                 double range)
-    : cell_area_(world.geometry().resolution * world.geometry().resolution) {
+std::vector<Eigen::Vector2d> standingRoom(const simulation::World& world,
+                                          const Eigen::Vector2d& start, double radius) {
   const grid::OccupancyGrid floor = floorOf(world);
   const exploration::MapView view(floor);
   const exploration::StandingRoom room(view, radius);
   const exploration::TravelField travel(room, start, radius);
-  std::vector<bool> seen(floor.geometry.size());
-  for (int row = 0; row < floor.geometry.height; row += kPlaceStep) {
-    for (int col = 0; col < floor.geometry.width; col += kPlaceStep) {
+  std::vector<Eigen::Vector2d> places;
+  for (int row = 0; row < floor.geometry.height; ++row) {
+    for (int col = 0; col < floor.geometry.width; ++col) {
       if (travel.distanceTo(Cell(col, row) + view.corner())) {
-        look(world, floor.geometry.center({col, row}), range, seen);
+        places.push_back(floor.geometry.center({col, row}));
       }
     }
   }
-  for (int row = 0; row < floor.geometry.height; ++row) {
-    for (int col = 0; col < floor.geometry.width; ++col) {
-      if (seen[floor.geometry.index({col, row})]) {
-        cells_.push_back(floor.geometry.center({col, row}));
+  return places;
+}
+
+Seeable::Seeable(const simulation::World& world, const Eigen::Vector2d& start, double radius,
+                 double range)
+    : cell_area_(world.geometry().resolution * world.geometry().resolution) {
+  const grid::GridGeometry& geometry = world.geometry();
+  std::vector<bool> seen(geometry.size());
+  for (const Eigen::Vector2d& place : standingRoom(world, start, radius)) {
+    const Cell cell = geometry.cellAt(place);
+    if (cell.x() % kPlaceStep == 0 && cell.y() % kPlaceStep == 0) {
+      look(world, place, range, seen);
+    }
+  }
+  for (int row = 0; row < geometry.height; ++row) {
+    for (int col = 0; col < geometry.width; ++col) {
+      if (seen[geometry.index({col, row})]) {
+        cells_.push_back(geometry.center({col, row}));
       }
     }
   }

@@ -8,6 +8,12 @@
 
 namespace omega_slam::experiments {
 
+/// [m] Centres of the cells that the middle of a round robot can get to in a world.
+/// @param start [m] of the robot in the world; @param radius [m] of the robot
+[[nodiscard]] std::vector<Eigen::Vector2d> standingRoom(const simulation::World& world,
+                                                        const Eigen::Vector2d& start,
+                                                        double radius);
+
 /// The cells of a world that a round robot with a laser can see from where it can get to: what an
 /// exploration is measured by.
 class Seeable {

@@ -34,7 +34,7 @@ class Run {
         intake_(config_.scan_matcher.intake),
         map_(config_.map_builder.mapper),
         explorer_(setup.explorer),
-        navigator_({}, {robot_config_.kobuki.radius, robot_config_.kobuki.radius}) {
+        navigator_({}, setup.footprint) {
     odometry_.add(robot_.time(), {});
     truth_.add(robot_.time(), setup.T_world_start);
     (void)explorer_.start();
@@ -70,9 +70,10 @@ class Run {
     velocity_ = events.odometry.velocity;
     bumper_ = events.bumper.value_or(bumper_);
     trackTruth(events.truth.T_world_base);
-    while (outcome_.collisions < robot_.collisions()) {
-      ++outcome_.collisions;
-      outcome_.unseen += touchesUnseen(events.truth.T_world_base.translation()) ? 1 : 0;
+    while (static_cast<int>(outcome_.contacts.size()) < robot_.collisions()) {
+      outcome_.contacts.push_back({robot_.time() - robot_config_.start_time,
+                                   events.truth.T_world_base,
+                                   touchesUnseen(events.truth.T_world_base.translation())});
     }
     if (events.scan) {
       takeScan(*events.scan);
@@ -212,6 +213,7 @@ class Run {
     const ThreadTimer timer(outcome_.navigator_cpu);
     if (bumper_.any()) {
       navigator_.touch(contactsOf(bumper_), robot_.time());
+      explorer_.touch(contactsOf(bumper_));
     }
     const auto T_map_base = pose();
     const auto step = navigator_.step(

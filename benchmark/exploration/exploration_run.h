@@ -7,6 +7,7 @@
 
 #include "exploration/coverage.h"
 #include "omega_slam/exploration/explorer.h"
+#include "omega_slam/navigation/footprint.h"
 #include "omega_slam/simulation/world.h"
 
 namespace omega_slam::experiments {
@@ -15,6 +16,7 @@ struct RunSetup {
   std::shared_ptr<const simulation::World> world;
   const Seeable* seeable{nullptr};
   geometry::Pose2 T_world_start;
+  navigation::Footprint footprint;
   exploration::ExplorerConfig explorer;
   std::uint64_t seed{1};
   double patience{3600.0};  ///< [s] of simulated time, after which the run is cut off
@@ -35,16 +37,22 @@ struct RunGoal {
   std::string fate;  ///< "reached", "dropped" for a better one, or why it was not reached
 };
 
+/// A collision.
+struct RunContact {
+  double time{0.0};  ///< [s]
+  geometry::Pose2 T_world_base;
+  bool unseen{false};  ///< with glass or with what is dark
+};
+
 struct RunOutcome {
   bool ended{false};  ///< by itself
   exploration::Ending ending{exploration::Ending::kNone};
   std::string reason;
-  RunSample end;                  ///< when the robot was home
-  double explored_time{0.0};      ///< [s] when exploring was over and the way home began
-  double explored_distance{0.0};  ///< [m] likewise
-  double from_home{0.0};          ///< [m] of the robot at the end, in truth
-  int collisions{0};
-  int unseen{0};  ///< of these, with glass or with what is dark
+  RunSample end;                     ///< when the robot was home
+  double explored_time{0.0};         ///< [s] when exploring was over and the way home began
+  double explored_distance{0.0};     ///< [m] likewise
+  double from_home{0.0};             ///< [m] of the robot at the end, in truth
+  std::vector<RunContact> contacts;  ///< collisions, one after the other
   std::vector<RunGoal> goals;
   double explorer_cpu{0.0};   ///< [s]
   double navigator_cpu{0.0};  ///< [s]
