@@ -10,7 +10,7 @@ struct ExplorerConfig {
   std::string strategy{"tour"};   ///< one of strategyNames()
   double robot_radius{0.23};      ///< [m] what is kept clear around the robot's middle
   double sensor_range{4.0};       ///< [m] up to which the laser sees walls
-  double min_frontier{0.30};      ///< [m] shorter frontiers are left alone
+  double min_frontier{0.41};      ///< [m] shorter frontiers are left alone
   double decision_interval{1.0};  ///< [s] the goal is looked at anew so often
   double settle_time{2.0};        ///< [s] the map is given to show what an arrival has brought
   double set_aside_time{15.0};    ///< [s] that a frontier tried in vain is left alone

@@ -7,7 +7,7 @@ namespace omega_slam::exploration {
 namespace {
 
 constexpr std::size_t kMaxStops = 12;
-constexpr double kTurnCost = 0.3;       // [m/rad] about what the robot drives while it turns so far
+constexpr double kTurnCost = 0.6;       // [m/rad] about what the robot drives while it turns so far
 constexpr double kUnreachable = 1.0e6;  // [m] longer than any way, but a number to reckon with
 constexpr double kLeastGain = 1.0e-9;   // [m] less is rounding
 

@@ -66,7 +66,7 @@ struct UnderWay {
       : explorer(config) {
     (void)explorer.start();
     robot.look(explorer);
-    for (int i = 0; i < ticks || !robot.isDriving(); ++i) {
+    for (int i = 0; i < ticks || (!robot.isDriving() && explorer.phase() != Phase::kEnded); ++i) {
       robot.tick(explorer);
     }
   }
