@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFarthest = 100.0;     // [m] returns farther from their robot are left out
 constexpr double kSampleSpacing = 0.4;  // of the reference's surfaces, in outlier distances
-constexpr double kPointSpacing = 1.0;   // of the points that are searched with, likewise
+constexpr double kPointSpacing = 5.0;   // of the points that are searched with, in its steps
 constexpr double kTie = 0.1;            // confidences that differ by less say nothing
 
 /// What a view has within a square around a place, seen from there.
@@ -50,7 +50,8 @@ Pose2 shifted(const Pose2& pose, const Eigen::Vector2d& by) {
 /// The returns that a scan is searched for with, evenly in space. Those that stand alone are left
 /// out unless there are few others: they may be anything, and where they are far apart on a wall
 /// they tie the scan to the spacing of the beams.
-Points pointsToSearchWith(const std::vector<SurfacePatch>& scan, const MatchConfig& config) {
+/// @param spacing [m]
+Points pointsToSearchWith(const std::vector<SurfacePatch>& scan, int min_returns, double spacing) {
   Points all;
   Points joined;
   bool joins_last = false;
@@ -61,8 +62,8 @@ Points pointsToSearchWith(const std::vector<SurfacePatch>& scan, const MatchConf
     }
     joins_last = patch.joins_next;
   }
-  const bool enough = joined.size() >= static_cast<std::size_t>(config.min_returns);
-  return thinned(enough ? joined : all, kPointSpacing * config.outlier_distance);
+  const bool enough = joined.size() >= static_cast<std::size_t>(min_returns);
+  return thinned(enough ? joined : all, spacing);
 }
 
 Points placesOf(const std::vector<SurfaceSample>& samples) {
@@ -90,7 +91,9 @@ class Attempt {
         scan_(tracePatches(scan)),
         field_(traceSurfaces(reference, kSampleSpacing * settings.match.outlier_distance),
                settings.match.outlier_distance),
-        search_(placesOf(field_.surfaces().samples), pointsToSearchWith(scan_, settings.match),
+        search_(placesOf(field_.surfaces().samples),
+                pointsToSearchWith(scan_, settings.match.min_returns,
+                                   kPointSpacing * settings.own.resolution),
                 guess,
                 {settings.own.window, settings.own.resolution, settings.match.outlier_distance,
                  settings.own.least_score}),

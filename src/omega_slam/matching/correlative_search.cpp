@@ -13,6 +13,7 @@ using geometry::Pose2;
 namespace {
 
 constexpr double kLargestBlock = 0.8;   // [m] larger ones have bounds that say nothing
+constexpr int kExactly = -(1 << 30);    // below all sums
 constexpr double kHandicap = 0.02;      // of the score, at the window's edge
 constexpr double kLeastFarthest = 0.5;  // [m] a scan of nothing but a heap needs no finer turns
 
@@ -88,28 +89,47 @@ class CorrelativeSearch::TurnedScan {
     const Eigen::Vector2d axis =
         Eigen::Vector2d(std::cos(heading), std::sin(heading)) / lattice.step;
     const double offset = middle - lattice.steps;
-    cells_.reserve(search.scan_.size());
+    blocks_.reserve(search.scan_.size());
     for (const Eigen::Vector2d& p : search.scan_) {
       const double x = axis.x() * p.x() - axis.y() * p.y() + offset;
       const double y = axis.y() * p.x() + axis.x() * p.y() + offset;
-      cells_.emplace_back(nearestCell(x) >> shift_, nearestCell(y) >> shift_);
+      add({nearestCell(x) >> shift_, nearestCell(y) >> shift_});
     }
   }
 
-  /// Sum of likelihoods.
-  [[nodiscard]] int sum(const LikelihoodPyramid& pyramid, const PoseBlock& block) const {
+  /// Sum of likelihoods; any number not above `least` where it is not above that.
+  [[nodiscard]] int sum(const LikelihoodPyramid& pyramid, const PoseBlock& block, int least) const {
     const int x = block.x >> shift_;
     const int y = block.y >> shift_;
-    int sum = 0;
-    for (const grid::Cell& cell : cells_) {
-      sum += pyramid.at(block.level, cell.x() + x, cell.y() + y);
+    int most = LikelihoodPyramid::kFull * points_;
+    for (const Occupied& occupied : blocks_) {
+      const int likelihood = pyramid.at(block.level, occupied.cell.x() + x, occupied.cell.y() + y);
+      most -= (LikelihoodPyramid::kFull - likelihood) * occupied.points;
+      if (most <= least) {
+        break;
+      }
     }
-    return sum;
+    return most;
   }
 
  private:
+  /// A block of the pyramid, and how many of the scan's points, one after the other, fall on it.
+  struct Occupied {
+    grid::Cell cell;
+    int points{0};
+  };
+
+  void add(const grid::Cell& cell) {
+    if (blocks_.empty() || blocks_.back().cell != cell) {
+      blocks_.push_back({cell, 0});
+    }
+    ++blocks_.back().points;
+    ++points_;
+  }
+
   int shift_;
-  std::vector<grid::Cell> cells_;
+  int points_{0};
+  std::vector<Occupied> blocks_;
 };
 
 struct CorrelativeSearch::Candidate {
@@ -166,7 +186,7 @@ class CorrelativeSearch::Frontier {
     PoseBlock block = first;
     for (block.y = first.y; block.y <= std::min(last_y, last); block.y += sideOf(block)) {
       for (block.x = first.x; block.x <= std::min(last_x, last); block.x += sideOf(block)) {
-        const int bound = search_.bound(block, scan);
+        const int bound = search_.bound(block, scan, search_.least_bound_);
         if (bound > search_.least_bound_) {
           queue_.push({block, bound});
         }
@@ -243,12 +263,14 @@ double CorrelativeSearch::score(const Pose2& T_reference_scan) const {
 }
 
 int CorrelativeSearch::bound(const PoseBlock& block) const {
-  return bound(block, TurnedScan(*this, block.level, block.a));
+  return bound(block, TurnedScan(*this, block.level, block.a), kExactly);
 }
 
-int CorrelativeSearch::bound(const PoseBlock& block, const TurnedScan& scan) const {
+/// @param least where it does not exceed this, any number that does not either
+int CorrelativeSearch::bound(const PoseBlock& block, const TurnedScan& scan, int least) const {
   const double full = LikelihoodPyramid::kFull * static_cast<double>(scan_.size());
-  return scan.sum(pyramid_, block) - static_cast<int>(handicap(block) * full);
+  const int less = static_cast<int>(handicap(block) * full);
+  return scan.sum(pyramid_, block, least + less) - less;
 }
 
 double CorrelativeSearch::handicap(const PoseBlock& block) const {

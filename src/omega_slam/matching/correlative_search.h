@@ -89,7 +89,7 @@ class CorrelativeSearch {
   class Frontier;
   class TurnedScan;
 
-  [[nodiscard]] int bound(const PoseBlock& block, const TurnedScan& scan) const;
+  [[nodiscard]] int bound(const PoseBlock& block, const TurnedScan& scan, int least) const;
   [[nodiscard]] double handicap(const PoseBlock& block) const;
 
   Points scan_;
