@@ -13,7 +13,8 @@ FAULTS = {
     'missing_30': '30 % of the scans missing', 'gap_1': 'three gaps of 1 s',
     'gap_10': 'three gaps of 10 s', 'gap_60': 'three gaps of 60 s',
     'frozen_laser': 'laser frozen, three times 10 s', 'half_blocked': 'half of the view blocked',
-    'person': 'a person walks in front', 'odometry_reset': 'odometry back to zero',
+    'person': 'a person walks in front', 'kidnapped': 'carried along its way for 20 s',
+    'odometry_reset': 'odometry back to zero',
     'odometry_scale': 'odometry overstates ways by 5 %'}
 
 

@@ -27,6 +27,7 @@ constexpr double kPersonAhead = 1.2;     // [m]
 constexpr double kPersonSways = 0.6;     // [m] to each side
 constexpr double kPersonSwayTime = 7.0;  // [s] to and fro
 constexpr double kPersonStays = 120.0;   // [s], and is away as long
+constexpr double kCarried = 20.0;        // [s] of the robot's way
 constexpr double kOverstated = 1.05;
 
 /// Calls `fault` for each record with whether it is among the unlucky.
@@ -159,6 +160,23 @@ Records odometryReset(Records records) {
   return records;
 }
 
+/// As if at half of the run somebody had carried the robot along its way.
+Records kidnapped(Records records) {
+  const auto half = records.begin() + static_cast<std::ptrdiff_t>(records.size() / 2);
+  const double end = half->scan.stamp + kCarried;
+  const auto set_down = std::find_if(
+      half, records.end(), [&](const io::ScanRecord& it) { return it.scan.stamp >= end; });
+  if (set_down == records.end()) {
+    return records;
+  }
+  const Pose2 T_before_after = half->T_odom_base * set_down->T_odom_base.inverse();
+  for (auto record = set_down; record != records.end(); ++record) {
+    record->T_odom_base = T_before_after * record->T_odom_base;
+  }
+  records.erase(half + 1, set_down);
+  return records;
+}
+
 Pose2 overstated(const Pose2& motion) {
   return {kOverstated * motion.x, kOverstated * motion.y, motion.theta};
 }
@@ -197,6 +215,7 @@ const std::vector<Fault>& faults() {
       {"frozen_laser", [](Records log, Seed) { return frozen(std::move(log)); }},
       {"half_blocked", [](Records log, Seed) { return halfBlocked(std::move(log)); }},
       {"person", [](Records log, Seed) { return withPerson(std::move(log)); }},
+      {"kidnapped", [](Records log, Seed) { return kidnapped(std::move(log)); }},
       {"odometry_reset", [](Records log, Seed) { return odometryReset(std::move(log)); }},
       {"odometry_scale", [](Records log, Seed) { return odometryScaled(std::move(log)); }}};
   return faults;

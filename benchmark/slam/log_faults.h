@@ -22,6 +22,8 @@ using Records = std::vector<io::ScanRecord>;
 ///   frozen_laser              there, the laser repeats one scan for ten seconds
 ///   half_blocked              something 15 cm before the laser hides half of its view
 ///   person                    somebody walks ahead of the robot, swaying, two minutes of four
+///   kidnapped                 at half of the run the robot is carried to where it would have been
+///                             20 s later; nothing is seen or felt on the way
 ///   odometry_reset            at half of the run the odometry begins again at zero
 ///   odometry_scale            it overstates every way by 5 %
 /// @throws std::invalid_argument for another name

@@ -4,6 +4,7 @@
 #include <omega_slam/Tracking.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
@@ -22,6 +23,7 @@
 #include "nodes/common/scan_queue.h"
 #include "nodes/common/slam_conversions.h"
 #include "nodes/common/tf_lookup.h"
+#include "omega_slam/sensing/frozen_laser.h"
 #include "omega_slam/sensing/scan_intake.h"
 #include "omega_slam/sensing/sweep_duration.h"
 #include "omega_slam/slam/front_end.h"
@@ -51,11 +53,13 @@ class ScanMatcherNode {
         tracking_publisher_(nh.advertise<Tracking>(names::kTracking, names::kOdometryQueue)),
         pose_publisher_(nh.advertise<geometry_msgs::PoseWithCovarianceStamped>(names::kTrackedPose,
                                                                                names::kScanQueue)),
+        lost_publisher_(nh.advertise<std_msgs::Bool>(names::kLost, 1, true)),
         loops_(config_.loops, publisher_.run(), [this](const auto& constraints, std::uint64_t run) {
           publisher_.publish(constraints, run);
           reportLoops();
         }) {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "waiting for scans");
+    publishLost(false);
     scan_subscriber_ =
         nh.subscribe(names::kScan, names::kScanQueue, &ScanMatcherNode::onScan, this);
     prediction_subscriber_ = nh.subscribe(names::kPrediction, names::kOdometryQueue,
@@ -123,6 +127,7 @@ class ScanMatcherNode {
     front_end_.reset();
     loops_.reset(publisher_.beginRun());
     diagnostics_.rearm();
+    publishLost(false);
     ROS_INFO("A new run begins: the next scan is keyframe 0.");
   }
 
@@ -172,13 +177,25 @@ class ScanMatcherNode {
       diagnostics_.reject(taken.rejection);
       return;
     }
+    const motion::Prediction prediction = *track_.at(scan.stamp);
+    if (frozen_laser_.repeats(scan.ranges, prediction.T_odom_base)) {
+      diagnostics_.reject(sensing::FrozenLaser::kRejection);
+      return;
+    }
     newest_scan_ = scan.stamp;
     diagnostics_.accept(scan.stamp);
-    publish(front_end_.process(*taken.sweep, *track_.at(scan.stamp)), waiting.message->header);
+    publish(front_end_.process(*taken.sweep, prediction), waiting.message->header);
   }
 
   void publish(const slam::FrontEndResult& result, std_msgs::Header header) {
     publishPose(result.belief, header);
+    for (const std::string& remark : result.remarks) {
+      diagnostics_.repair(remark);
+    }
+    if (result.is_lost != is_lost_) {
+      publishLost(result.is_lost);
+      reportHealth();
+    }
     if (result.match) {
       ++(result.match_trusted ? matches_trusted_ : matches_untrusted_);
       diagnostics_.set("confidence of the last match", result.match->confidence);
@@ -191,6 +208,20 @@ class ScanMatcherNode {
     publisher_.publish(*result.keyframe, header, result.constraints);
     loops_.addKeyframe(result.keyframe);
     reportHealth();
+  }
+
+  /// Said once when it changes, and to whoever comes later.
+  void publishLost(bool is_lost) {
+    if (is_lost) {
+      ROS_WARN(
+          "Lost: what the laser sees contradicts the map. No keyframes until a place is known.");
+    } else if (is_lost_) {
+      ROS_INFO("No longer lost.");
+    }
+    is_lost_ = is_lost;
+    std_msgs::Bool message;
+    message.data = static_cast<std_msgs::Bool::_data_type>(is_lost);
+    lost_publisher_.publish(message);
   }
 
   void publishPose(const slam::Belief& belief, std_msgs::Header header) {
@@ -216,7 +247,11 @@ class ScanMatcherNode {
   }
 
   void reportHealth() {
-    diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "matching");
+    if (is_lost_) {
+      diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::ERROR, "lost");
+    } else {
+      diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "matching");
+    }
     diagnostics_.set("keyframes", static_cast<double>(publisher_.keyframes()));
     diagnostics_.set("matches trusted", static_cast<double>(matches_trusted_));
     diagnostics_.set("matches not trusted", static_cast<double>(matches_untrusted_));
@@ -231,18 +266,21 @@ class ScanMatcherNode {
 
   config::ScanMatcherNodeConfig config_;
   sensing::ScanIntake intake_;
+  sensing::FrozenLaser frozen_laser_;
   slam::FrontEnd front_end_;
   OdometryTrack track_;
   ScanQueue queue_;
   double newest_scan_{kNever};  ///< [s] stamp of the newest scan served
   std::size_t matches_trusted_{0};
   std::size_t matches_untrusted_{0};
+  bool is_lost_{false};
   tf2_ros::Buffer tf_buffer_;
   tf2_ros::TransformListener tf_listener_;
   Diagnostics diagnostics_;
   RunPublisher publisher_;
   ros::Publisher tracking_publisher_;
   ros::Publisher pose_publisher_;
+  ros::Publisher lost_publisher_;
   LoopSearch loops_;
   ros::Subscriber scan_subscriber_;
   ros::Subscriber prediction_subscriber_;

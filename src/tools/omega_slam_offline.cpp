@@ -99,6 +99,7 @@ struct Account {
   evaluation::ScanFigures scans;
   std::size_t keyframes{0};
   std::size_t untrusted{0};
+  std::size_t lost{0};
   std::size_t loops{0};
   std::vector<double> seconds;  // for each scan
 
@@ -111,6 +112,7 @@ struct Account {
     }
     keyframes += outcome.keyframe ? 1 : 0;
     untrusted += outcome.match_untrusted ? 1 : 0;
+    lost += outcome.is_lost ? 1 : 0;
     loops += outcome.loops;
   }
 };
@@ -163,9 +165,12 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
   if (account.untrusted > 0) {
-    report.notes.push_back(
-        fmt::format("At {} keyframes the scan match was not trusted and the odometry stood alone.",
-                    account.untrusted));
+    report.notes.push_back(fmt::format(
+        "At {} scans the match was not trusted and the odometry stood alone.", account.untrusted));
+  }
+  if (account.lost > 0) {
+    report.notes.push_back(fmt::format(
+        "At {} scans the robot was lost: what it saw contradicted the map.", account.lost));
   }
   if (!pipeline.withdrawnLoops().empty()) {
     report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",

@@ -141,13 +141,24 @@ class NodeTest(unittest.TestCase):
                 waitUntil(lambda e=end: e.get_num_connections() > 0,
                           f'somebody listens to {end.name}')
 
-    def diagnosticValues(self, status):
-        """Key and value of the newest such status, as {} while there is none."""
+    def newestStatus(self, name):
+        """The newest diagnostic status of that name; None while there is none."""
         for array in reversed(self._diagnostics.messages()):
             for entry in array.status:
-                if entry.name == status:
-                    return {pair.key: pair.value for pair in entry.values}
-        return {}
+                if entry.name == name:
+                    return entry
+        return None
+
+    def diagnosticValues(self, status):
+        """Key and value of the newest such status, as {} while there is none."""
+        newest = self.newestStatus(status)
+        return {pair.key: pair.value for pair in newest.values} if newest else {}
+
+    def waitForHealth(self, node, level, message):
+        def isSo():
+            newest = self.newestStatus(f'{node}: health')
+            return newest is not None and (newest.level, newest.message) == (level, message)
+        waitUntil(isSo, f'{node} says that it is: {message}')
 
     def waitForDiagnostic(self, status, key, value):
         waitUntil(lambda: self.diagnosticValues(status).get(key) == str(value),

@@ -6,9 +6,11 @@ import sys
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from omega_slam.msg import Constraint, ConstraintArray, Keyframe, PoseGraph
 from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool
 from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -284,6 +286,45 @@ class ScanMatcherTest(NodeTest):
         truth = truePose(loop.from_id).inverse() * truePose(loop.to_id)
         self.assertLess(Pose.of(loop.pose).distance(truth), 0.03)
         self.waitForDiagnostic('scan_matcher: health', 'keyframes searched for loops', 5)
+
+    def testALostRobotSaysSoAndIsFound(self):
+        self.start()
+        self.mountLaser()
+        lost = self.listen('lost', Bool)
+        self.assertFalse(lost.waitForCount(1)[0].data)
+        run = self.drive(3)[0].run
+        self.graphs.publish(chain(run, [truePose(i) for i in range(3)]))
+        closet = synthetic.Room(left=-0.4, right=0.6, bottom=-0.5, top=0.4, pillar=(0.4, 0.2, 0.05))
+        for second in range(3, 12):  # something stands around the robot, which turns a little
+            wheels = measuredPose(2) * Pose(0.0, 0.0, 0.01 * second)
+            self.scans.publish(roomScan(second, Pose(0.0, 0.0, 0.01 * second), room=closet))
+            self.predict(second, wheels)
+        lost.waitFor(lambda m: m.data, 'lost')
+        self.waitForDiagnostic('scan_matcher: input', 'accepted', 12)
+        self.waitForHealth(NAME, DiagnosticStatus.ERROR, 'lost')
+        self.assertNothingElse(self.keyframes, 3)
+        carried = Pose(1.5, 0.3, 2.0)  # and is set down
+        for step in range(20):
+            motion = Pose(0.05 * step, 0.0, 0.0)
+            self.scans.publish(roomScan(12 + step, carried * motion * MOUNT))
+            self.predict(12 + step, measuredPose(2) * motion)
+        found = self.keyframes.waitFor(lambda m: m.id == 3, 'a keyframe where it was found')
+        tie = self.constraints.waitFor(
+            lambda m: any(c.to_id == 3 for c in m.constraints), 'its tie').constraints[0]
+        self.assertEqual(tie.kind, Constraint.MATCH)
+        truth = carried * Pose(0.05 * (found.header.stamp.to_sec() - stamp(12).to_sec()), 0.0, 0.0)
+        self.assertLess((truePose(tie.from_id) * Pose.of(tie.pose)).distance(truth), 0.05)
+        self.assertFalse(lost.waitForCount(3)[2].data)
+
+    def testALaserThatRepeatsItselfIsNotBelieved(self):
+        self.start()
+        self.mountLaser()
+        self.drive(2)
+        for second in (2, 3):
+            self.scans.publish(roomScan(second, truePose(1) * MOUNT))
+            self.predict(second, measuredPose(second))
+        self.waitForRejections(NAME, 'scan repeats the one before', 2)
+        self.assertNothingElse(self.keyframes, 2)
 
     def testBadParametersStopTheNode(self):
         self.checkBadParameters(NAME, [

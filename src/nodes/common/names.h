@@ -10,6 +10,7 @@ inline constexpr char kPrediction[] = "motion/prediction";
 inline constexpr char kSamples[] = "motion/samples";
 inline constexpr char kTracking[] = "tracking";
 inline constexpr char kTrackedPose[] = "tracked_pose";
+inline constexpr char kLost[] = "lost";
 inline constexpr char kKeyframe[] = "keyframe";
 inline constexpr char kConstraints[] = "constraints";
 inline constexpr char kPoseGraph[] = "pose_graph";

@@ -110,8 +110,8 @@ void read(ParameterReader reader, slam::LoopCloserConfig& config) {
   reader.read("min_separation", config.min_separation, {1.0, 100000.0});
   reader.read("max_candidates", config.max_candidates, kCount);
   reader.read("neighbours", config.neighbours, kCount);
-  reader.read("min_confidence", config.min_confidence, kShare);
-  reader.read("max_contradiction", config.max_contradiction, kShare);
+  reader.read("min_confidence", config.place.min_confidence, kShare);
+  reader.read("max_contradiction", config.place.max_contradiction, kShare);
   reader.read("min_deviation", config.min_deviation, kLength);
   read(reader.group("max_window"), config.max_window);
   reader.faults(config.validate());
@@ -218,11 +218,15 @@ void read(ParameterReader& reader, ScanMatcherNodeConfig& config) {
   reader.read("keyframe_rotation", front_end.keyframe_rotation, {0.001, 3.15});
   reader.read("keyframe_time", front_end.keyframe_time, kDuration);
   reader.read("min_confidence", front_end.min_confidence, kShare);
+  reader.read("max_speed", front_end.max_speed, {0.01, 1000.0});
+  reader.read("max_turn_rate", front_end.max_turn_rate, {0.01, 1000.0});
+  reader.read("lost_distance", front_end.lost_distance, kPositiveLength);
   read(reader.group("surroundings"), front_end.surroundings);
   read(reader, front_end.matching);
   reader.faults(front_end.validate());
-  config.loops.match = front_end.matching.match;  // it is of the laser, not of the use
+  config.loops.place.match = front_end.matching.match;  // it is of the laser, not of the use
   read(reader.group("loops"), config.loops);
+  front_end.places = config.loops.place;  // whatever it is looked for
 }
 
 void read(ParameterReader& reader, GraphSlamNodeConfig& config) {

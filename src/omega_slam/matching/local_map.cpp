@@ -19,8 +19,9 @@ namespace {
 constexpr double kOddsUnit = 0.2;
 constexpr int kHit = 11;
 constexpr int kMiss = -4;
-constexpr int kLeastOdds = -40;  // a wall that appears is believed after four views
-constexpr int kMostOdds = 63;    // one that has gone, after sixteen
+constexpr int kFreeOdds = 3 * kMiss;  // a cell that is less likely was seen through
+constexpr int kLeastOdds = -40;       // a wall that appears is believed after four views
+constexpr int kMostOdds = 63;         // one that has gone, after sixteen
 
 constexpr double kSameWall = 0.2;    // [m] neighbouring returns closer than this are on one wall
 constexpr double kWaySpacing = 0.1;  // [m] of the ends of beams whose ways are traced
@@ -162,6 +163,31 @@ void LocalMap::moveWindow(const Box& wanted, const Eigen::Vector2d& center) {
       evidence_ = movedTo(geometry, before, evidence_, split);
     }
   }
+}
+
+bool LocalMap::isFreeAround(const Eigen::Vector2d& p_map) const {
+  const Eigen::Vector2d p_grid = inCells(p_map);
+  const grid::GridGeometry& finest = grids_.front().geometry;
+  if (!(p_grid.x() >= 0.0 && p_grid.y() >= 0.0 && p_grid.x() < finest.width &&
+        p_grid.y() < finest.height)) {
+    return false;
+  }
+  const grid::Cell cell = p_grid.cast<int>();
+  if (evidence_[finest.index(cell)].odds >= kFreeOdds) {
+    return false;
+  }
+  const ValueGrid& coarsest = grids_.back();
+  const grid::Cell middle = cell / (1 << (grids_.size() - 1));
+  const grid::Cell size(coarsest.geometry.width, coarsest.geometry.height);
+  const grid::Cell low = (middle.array() - 1).max(0);
+  const grid::Cell high = (middle.array() + 2).min(size.array());
+  for (int row = low.y(); row < high.y(); ++row) {
+    const auto* const first = &coarsest.values[coarsest.geometry.index({low.x(), row})];
+    if (std::any_of(first, first + (high.x() - low.x()), [](auto value) { return value > 0; })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void LocalMap::draw(const View& view) {

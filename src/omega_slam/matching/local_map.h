@@ -75,6 +75,10 @@ class LocalMap {
   /// that want to see views.
   [[nodiscard]] const Reference& recentViews() const { return recent_views_; }
 
+  /// Whether a place was seen to be free, and nothing to be near it: no cell of the coarsest grid's
+  /// that it lies in or that it lies next to is occupied. Any place may be asked for.
+  [[nodiscard]] bool isFreeAround(const Eigen::Vector2d& p_map) const;
+
   /// As many as config().levels, the finest first. Without cells as long as there are no views.
   [[nodiscard]] const std::vector<ValueGrid>& grids() const { return grids_; }
 

@@ -129,4 +129,20 @@ MatchEvidence gatherEvidence(const LocalMap& map, const Points& scan, const Pose
   return evidence;
 }
 
+MatchResult judgeOnMap(const LocalMap& map, const Points& scan, const Pose2& T_map_scan,
+                       const MatchConfig& config) {
+  return judgeEvidence(gatherEvidence(map, scan, T_map_scan, config.outlier_distance), T_map_scan,
+                       config);
+}
+
+double contradictionOf(const LocalMap& map, const Points& scan, const Pose2& T_map_scan) {
+  if (scan.empty()) {
+    return 0.0;
+  }
+  const auto contradicted = std::count_if(
+      scan.begin(), scan.end(),
+      [&](const Eigen::Vector2d& p_scan) { return map.isFreeAround(T_map_scan * p_scan); });
+  return static_cast<double>(contradicted) / static_cast<double>(scan.size());
+}
+
 }  // namespace omega_slam::matching

@@ -16,4 +16,14 @@ namespace omega_slam::matching {
 [[nodiscard]] MatchEvidence gatherEvidence(const LocalMap& map, const Points& scan,
                                            const geometry::Pose2& T_map_scan, double reach);
 
+/// How well a scan fits a map where it is said to have been taken: a match without a search.
+[[nodiscard]] MatchResult judgeOnMap(const LocalMap& map, const Points& scan,
+                                     const geometry::Pose2& T_map_scan, const MatchConfig& config);
+
+/// Share of a scan's points that lie well within what the map knows to be free. Where the map knows
+/// nothing it contradicts nothing.
+/// @param T_map_scan finite
+[[nodiscard]] double contradictionOf(const LocalMap& map, const Points& scan,
+                                     const geometry::Pose2& T_map_scan);
+
 }  // namespace omega_slam::matching

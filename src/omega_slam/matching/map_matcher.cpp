@@ -63,10 +63,7 @@ MatchResult MapMatcher::track(const LocalMap& map, const View& scan, const Pose2
 
 MatchResult MapMatcher::alignAndJudge(const LocalMap& map, const View& scan,
                                       const Pose2& guess) const {
-  const auto judge = [&](const Pose2& pose) {
-    return judgeEvidence(gatherEvidence(map, scan.points, pose, common_.outlier_distance), pose,
-                         common_);
-  };
+  const auto judge = [&](const Pose2& pose) { return judgeOnMap(map, scan.points, pose, common_); };
   const MapAlignment alignment = alignToMap(map, scan.points, guess, config_.max_iterations);
   MatchResult result = judge(alignment.T_map_scan);
   if (result.open_direction) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace omega_slam::slam {
 using geometry::Pose2;
 using graph::Constraint;
 using graph::ConstraintKind;
+using graph::NodeId;
 
 namespace {
 
@@ -21,8 +23,21 @@ namespace {
 constexpr double kOdometryFloorTranslation = 0.01;  // [m]
 constexpr double kOdometryFloorRotation = 0.005;    // [rad]
 
-/// Squared Mahalanobis distance from which on odometry counts as wrong.
+/// Squared Mahalanobis distance from which on the odometry between two keyframes counts as wrong.
 constexpr double kSlip = 16.0;
+
+/// [s] by which stamps may be wrong: some computers hand on late what came in time.
+constexpr double kLatency = 0.3;
+
+/// What is known of a motion during which the odometry has jumped, at least.
+constexpr double kJumpTranslation = 0.5;  // [m]
+constexpr double kJumpRotation = 0.5;     // [rad]
+
+Eigen::Matrix3d nearlyNothing() {
+  return Eigen::Vector3d(kJumpTranslation, kJumpTranslation, kJumpRotation)
+      .cwiseAbs2()
+      .asDiagonal();
+}
 
 Eigen::Matrix3d withoutNegatives(const Eigen::Matrix3d& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(matrix);
@@ -38,6 +53,9 @@ std::vector<std::string> FrontEndConfig::validate() const {
   violations.requireAbove("keyframe_rotation", keyframe_rotation, 0.0);
   violations.requireAtLeast("keyframe_time", keyframe_time, 0.0);
   violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
+  violations.requireAbove("max_speed", max_speed, 0.0);
+  violations.requireAbove("max_turn_rate", max_turn_rate, 0.0);
+  violations.requireAbove("lost_distance", lost_distance, 0.0);
   violations.include("surroundings", surroundings.validate());
   std::vector<std::string> sentences = violations.sentences();
   for (const std::string& sentence : matching.validate()) {
@@ -49,32 +67,70 @@ std::vector<std::string> FrontEndConfig::validate() const {
 FrontEnd::FrontEnd(const FrontEndConfig& config)
     : config_((geometry::throwIfAny(config.validate()), config)),
       tracker_(config.matching, config.min_confidence),
-      surroundings_(config.surroundings, config.matching.scan_to_map.map) {}
+      surroundings_(config.surroundings, config.matching.scan_to_map.map),
+      judge_(config.lost_distance),
+      relocaliser_(config.places) {}
 
 FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
                                  const motion::Prediction& prediction) {
   if (surroundings_.keyframes().empty()) {
     return begin(sweep, prediction);
   }
-  const TrackedScan tracked =
-      tracker_.track(surroundings_.map(), viewOf(sweep), belief_, stepTo(prediction));
   FrontEndResult result;
+  const OdometryStep step = stepTo(prediction, result);
+  const matching::View view = viewOf(sweep);
+  const TrackedScan tracked = follow(view, step, prediction.stamp - last_.stamp);
+  belief_ = tracked.belief;
+  last_ = prediction;
   result.match = tracked.match;
   result.match_trusted = tracked.is_trusted;
-  result.T_keyframe_base = relativePose(surroundings_.newest(), tracked.belief.pose);
+  result.is_lost = judge_.isLost();
   result.keyframe_before = surroundings_.keyframes().back()->id;
-  belief_ = tracked.belief;
-  const Pose2& T_map_local = surroundings_.mapFromLocal();
-  result.belief = {T_map_local * belief_.pose,
-                   geometry::rotateCovariance(belief_.covariance, T_map_local.theta)};
+  if (judge_.isLost()) {
+    const auto found =
+        relocaliser_.look(view, prediction.T_odom_base, beliefInMap().pose, surroundings_.known());
+    if (found) {
+      resumeAt(*found, sweep, prediction, result);
+      return result;
+    }
+  }
+  result.T_keyframe_base = relativePose(surroundings_.newest(), belief_.pose);
+  result.belief = beliefInMap();
+  if (!tracked.is_contradicted && !judge_.isLost()) {
+    goOn(sweep, prediction, tracked, result);
+  }
+  return result;
+}
+
+/// Keeps what was seen, as a keyframe or as a glance.
+void FrontEnd::goOn(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                    const TrackedScan& tracked, FrontEndResult& result) {
   const double seconds = sweep.stamp - surroundings_.keyframes().back()->sweep.stamp;
   if (isKeyframeDue(result.T_keyframe_base, seconds)) {
     makeKeyframe(sweep, prediction, tracked, result);
   } else if (tracked.is_trusted) {
     surroundings_.addGlance(viewOf(sweep), belief_.pose);
   }
-  last_ = prediction;
-  return result;
+}
+
+/// Tracks a scan, and judges what that says. A robot that is lost goes by its odometry.
+TrackedScan FrontEnd::follow(const matching::View& view, const OdometryStep& step, double seconds) {
+  TrackedScan tracked = tracker_.track(surroundings_.map(), view, belief_, step);
+  if (tracked.is_contradicted && !judge_.isLost()) {
+    tracked = tracker_.recover(surroundings_.map(), view, tracked);
+  }
+  judge_.note(tracked, step.motion, seconds);
+  if (judge_.isLost()) {
+    tracked.belief = tracked.predicted;
+    tracked.is_trusted = false;
+  }
+  return tracked;
+}
+
+Belief FrontEnd::beliefInMap() const {
+  const Pose2& T_map_local = surroundings_.mapFromLocal();
+  return {T_map_local * belief_.pose,
+          geometry::rotateCovariance(belief_.covariance, T_map_local.theta)};
 }
 
 FrontEndResult FrontEnd::begin(const sensing::Sweep& sweep, const motion::Prediction& prediction) {
@@ -87,11 +143,18 @@ FrontEndResult FrontEnd::begin(const sensing::Sweep& sweep, const motion::Predic
   return result;
 }
 
-/// The motion since the last sweep. Predictions tell the uncertainty since the last keyframe; what
-/// it has grown by is that of the step.
-OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction) const {
+/// The motion since the last sweep; none is known where the odometry has jumped. Predictions tell
+/// the uncertainty since the last keyframe; what it has grown by is that of the step.
+OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction, FrontEndResult& result) {
   OdometryStep step;
   step.motion = relativePose(last_.T_odom_base, prediction.T_odom_base);
+  const double seconds = std::max(prediction.stamp - last_.stamp, 0.0) + kLatency;
+  if (std::hypot(step.motion.x, step.motion.y) > config_.max_speed * seconds ||
+      std::abs(step.motion.theta) > config_.max_turn_rate * seconds) {
+    odometry_jumped_ = true;
+    result.remarks.emplace_back("the odometry has jumped");
+    return {{}, nearlyNothing()};
+  }
   Eigen::Matrix3d moved = Eigen::Matrix3d::Identity();
   moved(0, 2) = -(prediction.T_odom_base.y - last_.T_odom_base.y);
   moved(1, 2) = prediction.T_odom_base.x - last_.T_odom_base.x;
@@ -101,11 +164,16 @@ OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction) const {
   return step;
 }
 
+KeyframePtr FrontEnd::keep(const sensing::Sweep& sweep,
+                           const motion::Prediction& prediction) const {
+  const NodeId id = surroundings_.keyframes().back()->id + 1;
+  return std::make_shared<const Keyframe>(Keyframe{id, prediction.T_odom_base, sweep});
+}
+
 void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                             const TrackedScan& tracked, FrontEndResult& result) {
   const Keyframe& before = *surroundings_.keyframes().back();
-  result.keyframe =
-      std::make_shared<const Keyframe>(Keyframe{before.id + 1, prediction.T_odom_base, sweep});
+  result.keyframe = keep(sweep, prediction);
   result.constraints.push_back(
       odometryConstraint(before, *result.keyframe, prediction.covariance, tracked));
   if (tracked.is_trusted) {
@@ -116,26 +184,50 @@ void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Predictio
         matchConstraint(before.id, result.keyframe->id, match, ConstraintKind::kMatch));
   }
   surroundings_.add(result.keyframe, belief_.pose);
+  odometry_jumped_ = false;
+}
+
+/// The robot goes on at another place than it was believed to be at.
+void FrontEnd::resumeAt(const Relocation& found, const sensing::Sweep& sweep,
+                        const motion::Prediction& prediction, FrontEndResult& result) {
+  const Pose2 T_map_before = surroundings_.mapFromLocal() * surroundings_.newest();
+  const Pose2 T_map_place = surroundings_.known().poses[found.keyframe];
+  result.keyframe = keep(sweep, prediction);
+  result.constraints.push_back(
+      matchConstraint(found.keyframe, result.keyframe->id, found.match, ConstraintKind::kMatch));
+  result.match = found.match;
+  result.match_trusted = true;
+  result.is_lost = false;
+  surroundings_.moveTo(found.keyframe);
+  belief_ = {T_map_place * found.match.T_reference_scan,
+             geometry::rotateCovariance(found.match.covariance, T_map_place.theta)};
+  surroundings_.add(result.keyframe, belief_.pose);
+  result.T_keyframe_base = relativePose(T_map_before, belief_.pose);
+  result.belief = beliefInMap();
+  odometry_jumped_ = false;
+  judge_.rest();
 }
 
 /// What the odometry says of the motion between two keyframes. The prediction's covariance is of
 /// just that motion, in the axes of the odometry frame. Where a trusted match contradicts it, it is
-/// loosened until it does not.
+/// loosened until it does not; where it has jumped, what was tracked stands in for it.
 Constraint FrontEnd::odometryConstraint(const Keyframe& from, const Keyframe& to,
                                         const Eigen::Matrix3d& covariance_in_odom,
                                         const TrackedScan& tracked) const {
   Constraint constraint;
   constraint.from = from.id;
   constraint.to = to.id;
-  constraint.T_from_to = relativePose(from.T_odom_base, to.T_odom_base);
+  const Pose2 seen = relativePose(surroundings_.newest(), tracked.belief.pose);
+  constraint.T_from_to = odometry_jumped_ ? seen : relativePose(from.T_odom_base, to.T_odom_base);
   Eigen::Matrix3d covariance =
       tracker_.odometryScale() *
       geometry::rotateCovariance(covariance_in_odom, -to.T_odom_base.theta);
   covariance.diagonal() +=
       Eigen::Vector3d(kOdometryFloorTranslation, kOdometryFloorTranslation, kOdometryFloorRotation)
           .cwiseAbs2();
-  if (tracked.is_trusted) {
-    const Pose2 seen = relativePose(surroundings_.newest(), tracked.belief.pose);
+  if (odometry_jumped_) {
+    covariance += nearlyNothing();
+  } else if (tracked.is_trusted) {
     const Eigen::Vector3d error = relativePose(constraint.T_from_to, seen).vector();
     if (error.dot(covariance.inverse() * error) > kSlip) {
       covariance += error * error.transpose();

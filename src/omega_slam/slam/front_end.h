@@ -9,6 +9,8 @@
 #include "omega_slam/matching/matcher_factory.h"
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
+#include "omega_slam/slam/lost_judge.h"
+#include "omega_slam/slam/relocaliser.h"
 #include "omega_slam/slam/scan_tracker.h"
 #include "omega_slam/slam/surroundings.h"
 
@@ -19,8 +21,12 @@ struct FrontEndConfig {
   double keyframe_rotation{0.4};     ///< [rad] or turning,
   double keyframe_time{10.0};        ///< [s] or waiting; 0: never by time alone
   double min_confidence{0.5};        ///< [0, 1] matches below leave the odometry alone
+  double max_speed{3.0};             ///< [m/s] odometry that claims more has jumped;
+  double max_turn_rate{6.3};         ///< [rad/s] this too
+  double lost_distance{1.0};  ///< [m] of driving, all of which the map contradicts, and one is lost
   SurroundingsConfig surroundings;
   matching::MatcherConfig matching;
+  PlaceMatcherConfig places;  ///< that a lost robot may be at
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -31,6 +37,8 @@ struct FrontEndResult {
   std::vector<graph::Constraint> constraints;  ///< that tie it to the keyframe before
   std::optional<matching::MatchResult> match;  ///< where a match was tried
   bool match_trusted{false};                   ///< whether that match had a say
+  bool is_lost{false};                         ///< the robot does not know where it is
+  std::vector<std::string> remarks;            ///< what was odd, short stable phrases
   graph::NodeId keyframe_before{0};  ///< the newest before the sweep; the first has itself
   geometry::Pose2 T_keyframe_base;   ///< where the sweep was taken, seen from that
   /// Where the graph and the tracking put the base, `T_map_base`.
@@ -38,7 +46,13 @@ struct FrontEndResult {
 };
 
 /// From sweeps to keyframes and constraints: every sweep is tracked on a map of the surroundings,
-/// and some are kept. Not thread-safe: one owner calls it.
+/// and some are kept.
+///
+/// A robot that is lost (LostJudge) makes no keyframes, which would spoil the map, and is looked
+/// for all over the graph (Relocaliser). Where it is found, the next keyframe is tied to what is
+/// there, and not to the keyframe before.
+///
+/// Not thread-safe: one owner calls it.
 class FrontEnd {
  public:
   explicit FrontEnd(const FrontEndConfig& config = {});  ///< @throws std::invalid_argument
@@ -58,19 +72,31 @@ class FrontEnd {
  private:
   [[nodiscard]] FrontEndResult begin(const sensing::Sweep& sweep,
                                      const motion::Prediction& prediction);
-  [[nodiscard]] OdometryStep stepTo(const motion::Prediction& prediction) const;
+  [[nodiscard]] OdometryStep stepTo(const motion::Prediction& prediction, FrontEndResult& result);
+  [[nodiscard]] TrackedScan follow(const matching::View& view, const OdometryStep& step,
+                                   double seconds);
+  [[nodiscard]] KeyframePtr keep(const sensing::Sweep& sweep,
+                                 const motion::Prediction& prediction) const;
+  void goOn(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+            const TrackedScan& tracked, FrontEndResult& result);
   void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
+  void resumeAt(const Relocation& found, const sensing::Sweep& sweep,
+                const motion::Prediction& prediction, FrontEndResult& result);
   [[nodiscard]] graph::Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
                                                      const Eigen::Matrix3d& covariance_in_odom,
                                                      const TrackedScan& tracked) const;
   [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
+  [[nodiscard]] Belief beliefInMap() const;
 
   FrontEndConfig config_;
   ScanTracker tracker_;
   Surroundings surroundings_;
-  Belief belief_;            ///< `T_local_base` at the last sweep
-  motion::Prediction last_;  ///< of the last sweep
+  LostJudge judge_;
+  Relocaliser relocaliser_;
+  Belief belief_;                ///< `T_local_base` at the last sweep
+  motion::Prediction last_;      ///< of the last sweep
+  bool odometry_jumped_{false};  ///< since the newest keyframe
 };
 
 }  // namespace omega_slam::slam

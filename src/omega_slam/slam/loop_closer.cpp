@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
-#include "omega_slam/matching/sight_check.h"
 
 namespace omega_slam::slam {
 
@@ -24,37 +23,12 @@ constexpr SearchWindow kLeastWindow{0.2, 0.1};
 
 // Wide windows cost time and can mislead: not every keyframe is searched for in them, and what is
 // found is to be confirmed.
-constexpr double kWide = 1.0;           // [m]
-constexpr NodeId kWideSpacing = 3;      // keyframes
-constexpr double kCoarse = 0.4;         // [m] windows from which on the search takes longer steps
-constexpr double kLongSteps = 0.05;     // [m]
-constexpr double kLeastScore = 0.5;     // of the search; what is confident scores far more
-constexpr double kMostAmbiguity = 0.9;  // score of a rival
-constexpr NodeId kMemory = 30;          // keyframes that a loop waits for a second one
+constexpr NodeId kWideSpacing = 3;  // keyframes
+constexpr NodeId kMemory = 30;      // keyframes that a loop waits for a second one
 
 // Two loops agree if they differ by no more in where they put the robot.
 constexpr double kAgreeTranslation = 0.3;  // [m]
 constexpr double kAgreeRotation = 0.05;    // [rad]
-
-bool isWide(const SearchWindow& window) { return window.translation > kWide; }
-
-/// What a keyframe and its neighbours in time saw, in its frame; its own view is the last.
-matching::Reference surroundingsOf(NodeId center, NodeId reach,
-                                   const std::vector<KeyframePtr>& keyframes,
-                                   const std::vector<Pose2>& poses) {
-  const NodeId first = center > reach ? center - reach : 0;
-  const auto last = std::min<NodeId>(
-      center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));
-  matching::Reference reference;
-  for (NodeId id = first; id <= last; ++id) {
-    if (id != center) {
-      const Pose2 T_center_id = relativePose(poses[center], poses[id]);
-      reference.push_back(matching::transformed(T_center_id, viewOf(keyframes[id]->sweep)));
-    }
-  }
-  reference.push_back(viewOf(keyframes[center]->sweep));
-  return reference;
-}
 
 /// Whether two loops, followed one after the other with the graph's paths between, lead back.
 bool agree(const Constraint& a, const Constraint& b, const std::vector<Pose2>& poses) {
@@ -72,18 +46,18 @@ std::vector<std::string> LoopCloserConfig::validate() const {
   violations.requireAtLeast("min_separation", min_separation, 1);
   violations.requireAtLeast("max_candidates", max_candidates, 0);
   violations.requireAtLeast("neighbours", neighbours, 0);
-  violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
-  violations.requireWithin("max_contradiction", max_contradiction, 0.0, 1.0);
   violations.requireAtLeast("min_deviation", min_deviation, 0.0);
   violations.requireWithin("max_window/translation", max_window.translation, 0.0, 10.0);
   violations.requireWithin("max_window/rotation", max_window.rotation, 0.0, 3.15);
-  violations.include("match", match.validate());
-  return violations.sentences();
+  std::vector<std::string> sentences = violations.sentences();
+  for (const std::string& sentence : place.validate()) {
+    sentences.push_back(sentence);
+  }
+  return sentences;
 }
 
-LoopCloser::LoopCloser(const LoopCloserConfig& config) : config_(config) {
-  geometry::throwIfAny(config_.validate());
-}
+LoopCloser::LoopCloser(const LoopCloserConfig& config)
+    : config_((geometry::throwIfAny(config.validate()), config)), matcher_(config.place) {}
 
 void LoopCloser::addKeyframe(KeyframePtr keyframe) { keyframes_.push_back(std::move(keyframe)); }
 
@@ -145,39 +119,16 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
 
 std::vector<Constraint> LoopCloser::tryCandidate(NodeId id, const Candidate& candidate,
                                                  const graph::PoseGraph& graph) {
-  matching::CorrelativeMatcherConfig config;
-  config.window = candidate.window;
-  config.least_score = kLeastScore;
-  if (candidate.window.translation > kCoarse) {
-    config.resolution = kLongSteps;
-  }
-  const auto reference = surroundingsOf(candidate.id, static_cast<NodeId>(config_.neighbours),
-                                        keyframes_, graph.poses);
-  const matching::View scan = viewOf(keyframes_[id]->sweep);
+  const auto reach = static_cast<NodeId>(config_.neighbours);
+  const auto place = placeAround(candidate.id, reach, keyframes_, graph.poses);
   const Pose2 believed = relativePose(graph.poses[candidate.id], graph.poses[id]);
-  const auto match = matching::CorrelativeMatcher(config, config_.match)
-                         .matchWithPeaks(reference, scan, believed, 1);
-  const matching::MatchResult& found = match.result;
-  // A place that leaves a direction open could be any other one along it.
-  if (found.confidence < config_.min_confidence ||
-      found.failure == matching::MatchFailure::kDegenerate) {
+  const auto match =
+      matcher_.match(place, viewOf(keyframes_[id]->sweep), believed, candidate.window);
+  if (!match) {
     return {};
   }
-  const auto sight = matching::checkSightBothWays(
-      reference.back(), matching::transformed(found.T_reference_scan, scan));
-  if (sight.contradiction() > config_.max_contradiction) {
-    return {};
-  }
-  const bool is_wide = isWide(candidate.window);
-  if (is_wide) {
-    config.least_score = kMostAmbiguity * match.peaks.front().score;
-    const matching::CorrelativeMatcher rivals(config, config_.match);
-    if (rivals.matchWithPeaks(reference, scan, believed, 2).peaks.size() > 1) {
-      return {};
-    }
-  }
-  const Constraint loop = matchConstraint(candidate.id, id, found, graph::ConstraintKind::kLoop);
-  return is_wide ? confirm(loop, graph) : std::vector<Constraint>{loop};
+  const Constraint loop = matchConstraint(candidate.id, id, *match, graph::ConstraintKind::kLoop);
+  return isWide(candidate.window) ? confirm(loop, graph) : std::vector<Constraint>{loop};
 }
 
 /// The loop with those that agree with it; none as long as it stands alone.

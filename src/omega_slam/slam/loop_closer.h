@@ -6,8 +6,8 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/path_uncertainty.h"
 #include "omega_slam/graph/pose_graph.h"
-#include "omega_slam/matching/correlative_matcher.h"
 #include "omega_slam/slam/keyframe.h"
+#include "omega_slam/slam/place_matcher.h"
 
 namespace omega_slam::slam {
 
@@ -16,13 +16,11 @@ struct LoopCloserConfig {
   int min_separation{20};     ///< keyframes between a candidate and the newest
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
-  double min_confidence{0.8};      ///< [0, 1]
-  double max_contradiction{0.15};  ///< [0, 1] of points, those that were seen through
   /// Places that are known so well from here need no loop: a match would hardly say more.
   double min_deviation{0.02};  ///< [m]
   /// Largest that is searched, however little is known.
   matching::SearchWindow max_window{6.0, 3.15};
-  matching::MatchConfig match;
+  PlaceMatcherConfig place;
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -34,9 +32,8 @@ struct LoopCloserConfig {
 /// of it from here, could be the robot's. Those come first of which most would be learnt. The
 /// window that is searched is three deviations wide.
 ///
-/// A match must be confident, leave no direction open, and no view may see through the walls of
-/// the other (sight_check.h). One from a wide window must have no rival that fits nearly as well,
-/// and waits until another one, from another keyframe, tells the same of where the robot is.
+/// PlaceMatcher says what is to be believed. A loop from a wide window also waits until another
+/// one, from another keyframe, tells the same of where the robot is.
 class LoopCloser {
  public:
   explicit LoopCloser(const LoopCloserConfig& config = {});  ///< @throws std::invalid_argument
@@ -68,6 +65,7 @@ class LoopCloser {
                                                        const graph::PoseGraph& graph);
 
   LoopCloserConfig config_;
+  PlaceMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;
   std::vector<graph::Constraint> unconfirmed_;  ///< from wide windows, the newest last
 };

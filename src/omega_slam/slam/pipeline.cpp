@@ -28,12 +28,18 @@ ScanOutcome Pipeline::process(const sensing::LaserScan& scan, const sensing::Las
     const auto newest = static_cast<graph::NodeId>(std::max<std::size_t>(keyframes_.size(), 1) - 1);
     tracks_.push_back({scan.stamp, newest, carriedOn(T_odom_base), false});
   }
+  if (taken.sweep && frozen_laser_.repeats(scan.ranges, T_odom_base)) {
+    taken.sweep.reset();
+    outcome.rejection = sensing::FrozenLaser::kRejection;
+  }
   if (!taken.sweep) {
     return outcome;
   }
   const motion::Prediction prediction = predictor_.predict(scan.stamp, T_odom_base);
   const FrontEndResult result = front_end_.process(*taken.sweep, prediction);
   outcome.match_untrusted = result.match && !result.match_trusted;
+  outcome.is_lost = result.is_lost;
+  outcome.repairs.insert(outcome.repairs.end(), result.remarks.begin(), result.remarks.end());
   T_odom_tracked_ = T_odom_base;
   T_keyframe_tracked_ = result.keyframe ? Pose2{} : result.T_keyframe_base;
   tracks_.back().T_keyframe_base = result.T_keyframe_base;

@@ -6,6 +6,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/mapping/occupancy_mapper.h"
 #include "omega_slam/motion/motion_predictor.h"
+#include "omega_slam/sensing/frozen_laser.h"
 #include "omega_slam/sensing/scan_intake.h"
 #include "omega_slam/slam/back_end.h"
 #include "omega_slam/slam/front_end.h"
@@ -28,6 +29,7 @@ struct ScanOutcome {
   std::vector<std::string> repairs;  ///< as ScanIntakeResult
   bool keyframe{false};
   bool match_untrusted{false};  ///< a match was tried, and the odometry was left alone
+  bool is_lost{false};          ///< as FrontEndResult
   std::size_t loops{0};         ///< loop constraints found
 };
 
@@ -70,6 +72,7 @@ class Pipeline {
   void addKeyframe(const FrontEndResult& result, ScanOutcome& outcome);
 
   sensing::ScanIntake intake_;
+  sensing::FrozenLaser frozen_laser_;
   motion::MotionPredictor predictor_;
   FrontEnd front_end_;
   LoopCloser loops_;

@@ -7,6 +7,8 @@
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/covariance.h"
+#include "omega_slam/matching/map_evidence.h"
+#include "omega_slam/matching/sight_check.h"
 
 namespace omega_slam::slam {
 
@@ -18,9 +20,20 @@ namespace {
 /// is made of such matches, a filter that trusts the odometry more lets its bias into the map.
 constexpr double kMatchShare = 0.1;
 
-/// Squared Mahalanobis distance beyond which the odometry of a step has slipped: chance lets one
-/// step in a hundred thousand come so far.
-constexpr double kSlip = 25.0;
+/// Squared Mahalanobis distance beyond which prediction and match contradict each other: three
+/// deviations.
+constexpr double kApart = 9.0;
+
+/// By which factor a scan fits worse where it was predicted, if that was wrong.
+constexpr double kClearly = 1.3;
+
+// A scan with less confidence than this, and of which more lies where the map knows that nothing
+// is, or sees more through the walls of the scan before, was not taken there.
+constexpr double kUnsure = 0.7;
+constexpr double kMostContradiction = 0.2;
+
+/// How far around odometry that was wrong a scan is looked for.
+constexpr matching::SearchWindow kRecovery{1.5, 3.15};
 
 // Of the scale of the odometry's variances.
 constexpr double kLeastScale = 0.25;
@@ -37,10 +50,23 @@ Eigen::Vector3d differenceOf(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, geometry::angleDifference(a.theta, b.theta)};
 }
 
+/// Kalman update.
+Belief fuse(const Belief& predicted, const Belief& matched) {
+  const Eigen::LDLT<Eigen::Matrix3d> spread(predicted.covariance + matched.covariance);
+  const Eigen::Matrix3d gain = predicted.covariance * spread.solve(Eigen::Matrix3d::Identity());
+  const Eigen::Vector3d innovation = differenceOf(matched.pose, predicted.pose);
+  const Eigen::Matrix3d rest = (Eigen::Matrix3d::Identity() - gain) * predicted.covariance;
+  return {Pose2::fromVector(predicted.pose.vector() + gain * innovation),
+          0.5 * (rest + rest.transpose())};
+}
+
 }  // namespace
 
 ScanTracker::ScanTracker(const matching::MatcherConfig& matching, double min_confidence)
     : min_confidence_(min_confidence),
+      match_config_(matching.match),
+      places_({PlaceMatcherConfig{}.min_confidence, PlaceMatcherConfig{}.max_contradiction,
+               matching.match}),
       matcher_(matching::makeMatcher(matching)),
       map_matcher_(dynamic_cast<const matching::MapMatcher*>(matcher_.get())) {}
 
@@ -50,38 +76,72 @@ matching::MatchResult ScanTracker::match(const matching::LocalMap& map, const ma
                                  : matcher_->match(map.recentViews(), scan, guess);
 }
 
+bool ScanTracker::isContradicted(const matching::LocalMap& map, const matching::View& scan,
+                                 const matching::MatchResult& match) const {
+  if (match.confidence >= kUnsure || map.recentViews().empty()) {
+    return false;
+  }
+  const Pose2& pose = match.T_reference_scan;
+  const auto sight =
+      matching::checkSightBothWays(map.recentViews().back(), matching::transformed(pose, scan));
+  return sight.contradiction() > kMostContradiction ||
+         matching::contradictionOf(map, scan.points, pose) > kMostContradiction;
+}
+
+bool ScanTracker::fitsBetter(const matching::LocalMap& map, const matching::View& scan,
+                             const matching::MatchResult& match, const Pose2& elsewhere) const {
+  const auto there = matching::judgeOnMap(map, scan.points, elsewhere, match_config_);
+  return kClearly * (1.0 - match.confidence) < 1.0 - there.confidence;
+}
+
 TrackedScan ScanTracker::track(const matching::LocalMap& map, const matching::View& scan,
                                const Belief& before, const OdometryStep& step) {
   const Belief predicted = predict(before, step, scale_);
   TrackedScan tracked;
-  tracked.match = match(map, scan, predicted.pose);
-  tracked.is_trusted = tracked.match.confidence >= min_confidence_;
+  tracked.predicted = predicted;
   tracked.belief = predicted;
+  tracked.match = match(map, scan, predicted.pose);
+  tracked.is_contradicted = isContradicted(map, scan, tracked.match);
+  tracked.is_trusted = !tracked.is_contradicted && tracked.match.confidence >= min_confidence_;
   if (!tracked.is_trusted) {
     return tracked;
   }
 
-  const Belief matched{tracked.match.T_reference_scan, kMatchShare * tracked.match.covariance};
+  Belief matched{tracked.match.T_reference_scan, kMatchShare * tracked.match.covariance};
   const Eigen::Vector3d innovation = differenceOf(matched.pose, predicted.pose);
   const Eigen::Matrix3d spread = predicted.covariance + matched.covariance;
-  const Eigen::LDLT<Eigen::Matrix3d> solver(spread);
-  const double squared = innovation.dot(solver.solve(innovation));
-  tracked.has_slipped = squared > kSlip;
-  learn(innovation, spread);
-  if (tracked.has_slipped) {
-    tracked.belief = matched;
-    return tracked;
+  const double squared = innovation.dot(spread.ldlt().solve(innovation));
+  learn(squared);
+  if (squared > kApart) {
+    tracked.has_slipped = fitsBetter(map, scan, tracked.match, predicted.pose);
+    if (tracked.has_slipped) {
+      tracked.belief = matched;
+      return tracked;
+    }
+    matched.covariance *= squared / kApart;
   }
-  const Eigen::Matrix3d gain = predicted.covariance * solver.solve(Eigen::Matrix3d::Identity());
-  tracked.belief.pose = Pose2::fromVector(predicted.pose.vector() + gain * innovation);
-  const Eigen::Matrix3d rest = (Eigen::Matrix3d::Identity() - gain) * predicted.covariance;
-  tracked.belief.covariance = 0.5 * (rest + rest.transpose());
+  tracked.belief = fuse(predicted, matched);
   return tracked;
 }
 
-void ScanTracker::learn(const Eigen::Vector3d& innovation, const Eigen::Matrix3d& covariance) {
-  const double squared = innovation.dot(covariance.ldlt().solve(innovation)) / 3.0;
-  scale_ *= std::exp(kLearningRate * (std::min(squared, 4.0) - 1.0));
+TrackedScan ScanTracker::recover(const matching::LocalMap& map, const matching::View& scan,
+                                 const TrackedScan& tracked) const {
+  const auto found = places_.match(map.recentViews(), scan, tracked.belief.pose, kRecovery);
+  if (!found) {
+    return tracked;
+  }
+  TrackedScan recovered;
+  recovered.predicted = tracked.predicted;
+  recovered.match = *found;
+  recovered.belief = {found->T_reference_scan, found->covariance};
+  recovered.is_trusted = true;
+  recovered.has_slipped = true;
+  return recovered;
+}
+
+/// @param squared Mahalanobis distance between a prediction and a match
+void ScanTracker::learn(double squared) {
+  scale_ *= std::exp(kLearningRate * (std::min(squared / 3.0, 4.0) - 1.0));
   scale_ = std::clamp(scale_, kLeastScale, kMostScale);
 }
 

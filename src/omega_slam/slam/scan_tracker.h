@@ -8,6 +8,7 @@
 #include "omega_slam/matching/local_map.h"
 #include "omega_slam/matching/map_matcher.h"
 #include "omega_slam/matching/matcher_factory.h"
+#include "omega_slam/slam/place_matcher.h"
 
 namespace omega_slam::slam {
 
@@ -26,18 +27,25 @@ struct OdometryStep {
 
 /// Where a scan was taken, by the odometry and by what it saw.
 struct TrackedScan {
-  Belief belief;                ///< `T_map_base`
+  Belief predicted;             ///< `T_map_base` by the odometry alone
+  Belief belief;                ///< and with what was seen
   matching::MatchResult match;  ///< reference: the map
   bool is_trusted{false};       ///< whether the match had a say
   bool has_slipped{false};      ///< the match says that the odometry of this step was wrong
+  bool is_contradicted{false};  ///< much of it lies where the map knows that nothing is
 };
 
 /// Follows the robot from scan to scan: predicts by the odometry, matches with a map, and fuses the
 /// two by their covariances, as a Kalman filter does (Thrun, Burgard, Fox 2005, table 3.1).
 ///
-/// The odometry is weighed, not believed: its variances are scaled by a factor that is learnt from
-/// how far predictions and matches disagree, and a step that a sure match contradicts is taken for
-/// a slip of the wheels and has no say at all.
+/// Neither is believed blindly. The odometry's variances are scaled by a factor that is learnt from
+/// how far predictions and matches disagree. Where the two are too far apart for chance, the scan
+/// itself decides: if it fits the map clearly better where it was matched, the wheels have slipped,
+/// and their step has no say; else the match may as well have been drawn astray, as it is in front
+/// of a bare wall, and counts for as little as makes the two agree.
+///
+/// A scan that fits nowhere near is not trusted at all. If the map knows that nothing is where much
+/// of the scan lies, the robot is not where it is believed to be: see recover().
 class ScanTracker {
  public:
   ScanTracker(const matching::MatcherConfig& matching, double min_confidence);
@@ -47,6 +55,12 @@ class ScanTracker {
   [[nodiscard]] TrackedScan track(const matching::LocalMap& map, const matching::View& scan,
                                   const Belief& before, const OdometryStep& step);
 
+  /// Looks for a scan that the map contradicts all around where it is believed to have been taken:
+  /// odometry can jump, and robots are lifted and turned. Costs as much as a wide search.
+  /// @return the scan where it was found; else as it was tracked
+  [[nodiscard]] TrackedScan recover(const matching::LocalMap& map, const matching::View& scan,
+                                    const TrackedScan& tracked) const;
+
   /// By which the odometry's variances are to be multiplied.
   [[nodiscard]] double odometryScale() const { return scale_; }
 
@@ -54,9 +68,16 @@ class ScanTracker {
   [[nodiscard]] matching::MatchResult match(const matching::LocalMap& map,
                                             const matching::View& scan,
                                             const geometry::Pose2& guess) const;
-  void learn(const Eigen::Vector3d& innovation, const Eigen::Matrix3d& covariance);
+  [[nodiscard]] bool isContradicted(const matching::LocalMap& map, const matching::View& scan,
+                                    const matching::MatchResult& match) const;
+  [[nodiscard]] bool fitsBetter(const matching::LocalMap& map, const matching::View& scan,
+                                const matching::MatchResult& match,
+                                const geometry::Pose2& elsewhere) const;
+  void learn(double squared);
 
   double min_confidence_;
+  matching::MatchConfig match_config_;
+  PlaceMatcher places_;
   std::unique_ptr<const matching::ScanMatcher> matcher_;
   const matching::MapMatcher* map_matcher_;  ///< matcher_, if it knows how to use a map
   double scale_{1.0};

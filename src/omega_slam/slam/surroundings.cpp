@@ -71,9 +71,13 @@ Pose2 Surroundings::believe(const graph::PoseGraph& graph) {
     return drawn_.empty() ? Pose2{} : newest();
   }
   const auto last = static_cast<NodeId>(known - 1);
+  poses_.assign(graph.poses.begin(), graph.poses.begin() + static_cast<std::ptrdiff_t>(known));
+  if (!isDrawn(last)) {
+    return newest();  // the robot has been found elsewhere since
+  }
   const auto nearby = wanted(graph, last);
   if (hasBent(graph, last)) {
-    redraw(graph, last, nearby);
+    redraw(last, nearby);
     T_map_local_ = {};
     return newest();
   }
@@ -95,7 +99,7 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId n
     const double way = distance(graph.poses[id], graph.poses[newest]);
     const bool is_sure = known.placeDeviation(id) <= config_.max_deviation &&
                          known.headingDeviation(id) <= config_.max_deviation;
-    if (newest - id < kTail || (is_sure && way <= config_.radius)) {
+    if (newest - id >= kTail && is_sure && way <= config_.radius) {
       near.emplace_back(way, id);
     }
   }
@@ -105,9 +109,10 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId n
   for (std::size_t i = 0; i < most; ++i) {
     ids.push_back(near[i].second);
   }
-  ids.push_back(newest);
   std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (NodeId id = newest >= kTail ? newest - kTail + 1 : 0; id <= newest; ++id) {
+    ids.push_back(id);
+  }
   return ids;
 }
 
@@ -123,17 +128,28 @@ bool Surroundings::hasBent(const graph::PoseGraph& graph, NodeId newest) const {
   });
 }
 
-void Surroundings::redraw(const graph::PoseGraph& graph, NodeId newest,
-                          const std::vector<NodeId>& wanted) {
+void Surroundings::moveTo(NodeId center) {
+  drawn_.clear();
+  glances_.clear();
+  T_map_local_ = {};
+  map_.clear();
+  const NodeId first = center > kTail / 2 ? center - kTail / 2 : 0;
+  const auto end = std::min<NodeId>(center + kTail / 2, static_cast<NodeId>(poses_.size()));
+  for (NodeId id = first; id < end; ++id) {
+    draw(id, poses_[id]);
+  }
+}
+
+void Surroundings::redraw(NodeId newest, const std::vector<NodeId>& wanted) {
   const Drawn before = std::exchange(drawn_, {});
-  const Pose2 T_graph_local = graph.poses[newest] * before.at(newest).inverse();
+  const Pose2 T_graph_local = poses_[newest] * before.at(newest).inverse();
   matching::Reference views;
   const auto place = [&](NodeId id, const Pose2& T_local_base) {
     drawn_[id] = T_local_base;
     views.push_back(transformed(T_local_base, viewOf(keyframes_[id]->sweep)));
   };
   for (const NodeId id : wanted) {
-    place(id, graph.poses[id]);
+    place(id, poses_[id]);
   }
   for (auto later = before.upper_bound(newest); later != before.end(); ++later) {
     place(later->first, T_graph_local * later->second);

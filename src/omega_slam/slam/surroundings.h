@@ -9,13 +9,14 @@
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/matching/local_map.h"
 #include "omega_slam/slam/keyframe.h"
+#include "omega_slam/slam/relocaliser.h"
 
 namespace omega_slam::slam {
 
 struct SurroundingsConfig {
   double radius{10.0};         ///< [m] keyframes taken so near to the newest are drawn
   double max_deviation{0.15};  ///< [m] and known so well from it; [rad] too
-  int max_keyframes{200};      ///< so many of them at most, the nearest
+  int max_keyframes{40};       ///< so many of them at most, the nearest
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
@@ -48,9 +49,16 @@ class Surroundings {
   /// @param view from the base
   void addGlance(const matching::View& view, const geometry::Pose2& T_local_base);
 
+  /// Draws the surroundings of an earlier keyframe, and nothing else, in the graph's frame, as it
+  /// was believed last. A keyframe is to be added next.
+  /// @param center one whose pose is known
+  void moveTo(graph::NodeId center);
+
   [[nodiscard]] const matching::LocalMap& map() const { return map_; }
   [[nodiscard]] bool isDrawn(graph::NodeId id) const { return drawn_.count(id) > 0; }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
+  /// What the graph said last of the keyframes.
+  [[nodiscard]] KnownPlaces known() const { return {keyframes_, poses_}; }
   /// `T_local_base` of the newest keyframe; there must be one.
   [[nodiscard]] const geometry::Pose2& newest() const { return drawn_.rbegin()->second; }
   /// `T_map_local`, by the newest keyframe that the graph knew last.
@@ -67,13 +75,13 @@ class Surroundings {
   [[nodiscard]] std::vector<graph::NodeId> wanted(const graph::PoseGraph& graph,
                                                   graph::NodeId newest) const;
   [[nodiscard]] bool hasBent(const graph::PoseGraph& graph, graph::NodeId newest) const;
-  void redraw(const graph::PoseGraph& graph, graph::NodeId newest,
-              const std::vector<graph::NodeId>& wanted);
+  void redraw(graph::NodeId newest, const std::vector<graph::NodeId>& wanted);
   void draw(graph::NodeId id, const geometry::Pose2& T_local_base);
 
   SurroundingsConfig config_;
   matching::LocalMap map_;
   std::vector<KeyframePtr> keyframes_;
+  std::vector<geometry::Pose2> poses_;  ///< `T_map_base` of those that the graph knows
   Drawn drawn_;
   std::deque<Glance> glances_;
   geometry::Pose2 T_map_local_;

@@ -32,7 +32,7 @@ TEST(SlamConfig, ValuesReachTheirFields) {
   EXPECT_EQ(config.front_end.keyframe_translation, 0.75);
   EXPECT_EQ(config.front_end.matching.icp.max_iterations, 7);
   EXPECT_EQ(config.front_end.matching.match.range_noise, 0.07);
-  EXPECT_EQ(config.loops.match.range_noise, 0.07);
+  EXPECT_EQ(config.loops.place.match.range_noise, 0.07);
   EXPECT_EQ(config.loops.neighbours, 5);
   EXPECT_EQ(config.intake.max_range, 5.6);
   EXPECT_EQ(config.laser_pose, (std::vector<double>{0.1, 0.0, 3.0}));

@@ -97,6 +97,63 @@ TEST(FrontEnd, OdometryConstraintStandsInTheFrameOfItsStart) {
   EXPECT_LT(information(0, 0), 0.1 * information(1, 1)) << "the base drives along its x";
 }
 
+TEST(FrontEnd, OdometryThatJumpsSaysNothing) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt({7.0, 1.0, 0.5}, 0.0));
+  const Pose2 truth{0.45, 0.0, 0.05};
+  const auto result = front_end.process(sweepAt(truth, 0.2), predictionAt({}, 0.2));
+  ASSERT_EQ(result.remarks, std::vector<std::string>{"the odometry has jumped"});
+  ASSERT_TRUE(result.keyframe);
+  EXPECT_LT(test::gapBetween(result.T_keyframe_base, truth).translation, 0.05);
+  for (const auto& constraint : result.constraints) {
+    EXPECT_LT(test::gapBetween(constraint.T_from_to, truth).translation, 0.05);
+  }
+}
+
+TEST(FrontEnd, ARobotThatIsCarriedAwayIsLostUntilItIsFound) {
+  FrontEnd front_end;
+  graph::PoseGraph graph;
+  double stamp = 0.0;
+  const auto see = [&](const Pose2& truth, const Pose2& odometry) {
+    const auto result = front_end.process(sweepAt(truth, stamp), predictionAt(odometry, stamp));
+    stamp += 0.2;
+    if (result.keyframe) {
+      graph.poses.push_back(result.belief.pose);
+      graph.constraints.insert(graph.constraints.end(), result.constraints.begin(),
+                               result.constraints.end());
+      front_end.believe(graph);
+    }
+    return result;
+  };
+  for (int i = 0; i <= 24; ++i) {  // through the room
+    const Pose2 pose{-3.0 + 0.25 * i, -1.2, 0.0};
+    EXPECT_FALSE(see(pose, pose).is_lost);
+  }
+  const std::size_t keyframes = graph.poses.size();
+  // Carried back to the other end, and turned; the wheels feel nothing.
+  const Pose2 carried = Pose2{-2.0, -1.6, 1.2} * Pose2{3.0, -1.2, 0.0}.inverse();
+  bool was_lost = false;
+  std::optional<FrontEndResult> found;
+  for (int i = 1; i < 60 && !found; ++i) {
+    const Pose2 odometry{3.0 + 0.03 * i, -1.2, 0.0};
+    const auto result = see(carried * odometry, odometry);
+    was_lost = was_lost || result.is_lost;
+    EXPECT_FALSE(result.is_lost && result.keyframe);
+    if (result.keyframe) {
+      found = result;
+      const auto gap = test::gapBetween(relativePose(graph.poses.front(), result.belief.pose),
+                                        relativePose({-3.0, -1.2, 0.0}, carried * odometry));
+      EXPECT_LT(gap.translation, 0.1);
+      EXPECT_LT(gap.rotation, 0.05);
+    }
+  }
+  EXPECT_TRUE(was_lost);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->constraints.size(), 1U);
+  EXPECT_LT(found->constraints[0].from + 1, keyframes) << "tied to where it is";
+  EXPECT_FALSE(see(carried * Pose2{3.0, -1.2, 0.0}, {3.0, -1.2, 0.0}).is_lost);
+}
+
 TEST(FrontEnd, ResetBeginsAnew) {
   FrontEnd front_end;
   (void)front_end.process(sweepAt({}, 5.0), predictionAt({}, 5.0));

@@ -66,6 +66,54 @@ TEST(ScanTracker, WithoutAMatchTheOdometryCarriesOn) {
   EXPECT_NEAR(tracked.belief.covariance(2, 2), 0.02 * 0.02, 1e-12);
 }
 
+TEST(ScanTracker, WhereTheScanFitsAsWellAsPredictedItIsNoSlip) {
+  // A bare wall says nothing of the way along it, whatever a match makes of that.
+  test::Room wall;
+  wall.walls.push_back({{-50.0, 1.0}, {50.0, 1.0}});
+  matching::LocalMap map;
+  for (std::uint64_t i = 0; i < 8; ++i) {
+    std::mt19937_64 random(i);
+    const Pose2 pose{0.1 * static_cast<double>(i), 0.0, 0.0};
+    (void)map.insert({test::measurePoints(wall, pose, 360, 0.01, random), {0.0, 0.0}}, pose);
+  }
+  ScanTracker tracker({}, kMinConfidence);
+  std::mt19937_64 random(9);
+  const Pose2 truth{0.9, 0.0, 0.0};
+  const auto tracked =
+      tracker.track(map, {test::measurePoints(wall, truth, 360, 0.01, random), {0.0, 0.0}},
+                    surelyAt({0.7, 0.0, 0.0}), stepOf({0.2, 0.0, 0.0}, 0.002));
+  EXPECT_FALSE(tracked.has_slipped);
+  EXPECT_LT(test::gapBetween(tracked.belief.pose, truth).translation, 0.02);
+}
+
+TEST(ScanTracker, ARobotThatWasTurnedIsFoundByALookAround) {
+  ScanTracker tracker({}, kMinConfidence);
+  const matching::LocalMap map = mapOfTheRoom();
+  const Pose2 truth{0.6, -0.4, 2.2};
+  const auto scan = viewAt(truth, 60);
+  const auto tracked = tracker.track(map, scan, surelyAt({0.0, 0.2, 0.3}), stepOf({}, 0.01));
+  ASSERT_TRUE(tracked.is_contradicted);
+  EXPECT_FALSE(tracked.is_trusted);
+  EXPECT_LT(test::gapBetween(tracked.belief.pose, {0.0, 0.2, 0.3}).translation, 1e-9);
+  const auto recovered = tracker.recover(map, scan, tracked);
+  ASSERT_TRUE(recovered.is_trusted);
+  EXPECT_FALSE(recovered.is_contradicted);
+  EXPECT_LT(test::gapBetween(recovered.belief.pose, truth).translation, 0.03);
+  EXPECT_LT(test::gapBetween(recovered.belief.pose, truth).rotation, 0.02);
+}
+
+TEST(ScanTracker, WhatIsNotThereIsNotFound) {
+  ScanTracker tracker({}, kMinConfidence);
+  const matching::LocalMap map = mapOfTheRoom();
+  test::Room other;
+  other.addBox({-1.0, -1.2}, {1.5, 0.8});
+  std::mt19937_64 random(1);
+  const matching::View scan{test::measurePoints(other, {}, 360, 0.01, random), {0.0, 0.0}};
+  const auto tracked = tracker.track(map, scan, surelyAt({0.0, 0.2, 0.3}), stepOf({}, 0.01));
+  ASSERT_TRUE(tracked.is_contradicted);
+  EXPECT_TRUE(tracker.recover(map, scan, tracked).is_contradicted);
+}
+
 TEST(ScanTracker, LearnsHowFarTheOdometryIsOff) {
   const matching::LocalMap map = mapOfTheRoom();
   const Pose2 truth{0.0, 0.2, 0.3};

@@ -1,0 +1,102 @@
+#include "omega_slam/slam/place_matcher.h"
+
+#include <algorithm>
+
+#include "omega_slam/geometry/validation.h"
+#include "omega_slam/matching/correlative_matcher.h"
+#include "omega_slam/matching/point_to_line_matcher.h"
+#include "omega_slam/matching/sight_check.h"
+
+namespace omega_slam::slam {
+
+using geometry::Pose2;
+using graph::NodeId;
+using matching::MatchResult;
+using matching::SearchWindow;
+
+namespace {
+
+constexpr double kNarrow = 0.4;         // [m] up to which points are drawn to lines from the guess
+constexpr double kWide = 1.0;           // [m]
+constexpr double kSearchStep = 0.05;    // [m] of the correlative search
+constexpr double kLeastScore = 0.5;     // of the search; what is confident scores far more
+constexpr double kMostAmbiguity = 0.9;  // score of a rival
+
+/// Squared errors of point to line matches between visits, over what their covariance says: the
+/// place itself is only as true as the graph (mean over the loops of 10 drives through the office).
+constexpr double kDoubt = 3.0;
+
+matching::CorrelativeMatcherConfig searchIn(const SearchWindow& window, double least_score) {
+  matching::CorrelativeMatcherConfig config;
+  config.window = window;
+  config.resolution = kSearchStep;
+  config.least_score = least_score;
+  return config;
+}
+
+}  // namespace
+
+std::vector<std::string> PlaceMatcherConfig::validate() const {
+  geometry::Violations violations;
+  violations.requireWithin("min_confidence", min_confidence, 0.0, 1.0);
+  violations.requireWithin("max_contradiction", max_contradiction, 0.0, 1.0);
+  violations.include("match", match.validate());
+  return violations.sentences();
+}
+
+bool isWide(const SearchWindow& window) { return window.translation > kWide; }
+
+PlaceMatcher::PlaceMatcher(const PlaceMatcherConfig& config) : config_(config) {
+  geometry::throwIfAny(config_.validate());
+}
+
+std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
+                                               const matching::View& scan, const Pose2& guess,
+                                               const SearchWindow& window) const {
+  MatchResult found;
+  double score = 0.0;
+  if (window.translation <= kNarrow) {
+    found = matching::PointToLineMatcher({}, config_.match).match(place, scan, guess);
+    found.covariance *= kDoubt;
+  } else {
+    const matching::CorrelativeMatcher search(searchIn(window, kLeastScore), config_.match);
+    const auto best = search.matchWithPeaks(place, scan, guess, 1);
+    found = best.result;
+    score = best.peaks.empty() ? 0.0 : best.peaks.front().score;
+  }
+  if (found.confidence < config_.min_confidence || found.open_direction) {
+    return std::nullopt;
+  }
+  const auto sight = matching::checkSightBothWays(
+      place.back(), matching::transformed(found.T_reference_scan, scan));
+  if (sight.contradiction() > config_.max_contradiction) {
+    return std::nullopt;
+  }
+  if (isWide(window)) {
+    const matching::CorrelativeMatcher rivals(searchIn(window, kMostAmbiguity * score),
+                                              config_.match);
+    if (rivals.matchWithPeaks(place, scan, guess, 2).peaks.size() > 1) {
+      return std::nullopt;
+    }
+  }
+  return found;
+}
+
+matching::Reference placeAround(NodeId center, NodeId reach,
+                                const std::vector<KeyframePtr>& keyframes,
+                                const std::vector<Pose2>& poses) {
+  const NodeId first = center > reach ? center - reach : 0;
+  const auto last = std::min<NodeId>(
+      center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));
+  matching::Reference place;
+  for (NodeId id = first; id <= last; ++id) {
+    if (id != center) {
+      const Pose2 T_center_id = relativePose(poses[center], poses[id]);
+      place.push_back(matching::transformed(T_center_id, viewOf(keyframes[id]->sweep)));
+    }
+  }
+  place.push_back(viewOf(keyframes[center]->sweep));
+  return place;
+}
+
+}  // namespace omega_slam::slam
