@@ -65,6 +65,10 @@ World::World(const grid::GridGeometry& geometry, std::vector<Material> cells)
 }
 
 World World::fromImage(const grid::MapImage& image) {
+  if (image.mode == grid::MapMode::kRaw) {
+    throw std::invalid_argument(
+        "A world can't be made of a map whose mode is raw: greys name the materials.");
+  }
   std::vector<Material> cells;
   cells.reserve(image.pixels.size());
   for (const std::uint8_t pixel : image.pixels) {

@@ -39,6 +39,7 @@ class World {
   World(const grid::GridGeometry& geometry, std::vector<Material> cells);
 
   /// Reads materials from grey values. Unknown (grey) and free pixels are both empty.
+  /// @throws std::invalid_argument if the image is empty or its mode is raw
   [[nodiscard]] static World fromImage(const grid::MapImage& image);
 
   [[nodiscard]] const grid::GridGeometry& geometry() const { return geometry_; }

@@ -41,6 +41,12 @@ TEST(World, ReadsNegatedImages) {
   EXPECT_EQ(world.at({3, 0}), Material::kNone);
 }
 
+TEST(World, RawMapsAreRefused) {
+  grid::MapImage image = rowOfPixels({0, 100});
+  image.mode = grid::MapMode::kRaw;
+  EXPECT_THROW(World::fromImage(image), std::invalid_argument);
+}
+
 TEST(World, EveryMaterialIsOccupiedForMapServer) {
   const grid::OccupancyGrid grid = grid::toOccupancyGrid(rowOfPixels({0, kDarkGrey, kGlassGrey}));
   EXPECT_EQ(grid.cells, std::vector<std::int8_t>(3, grid::kOccupied));
