@@ -1,5 +1,5 @@
 // How long maps take: keyframes of a simulated Hokuyo URG (683 beams) on the route of the lab, lap
-// after lap. `mapping_benchmark --benchmark_out=FILE --benchmark_out_format=json` writes entries
+// after lap. `mapping_benchmark --benchmark_out=FILE --benchmark_out_format=csv` writes entries
 // that are called
 //
 //   add_keyframe/N         one keyframe is added to a map of N = 100, 1000, 5000, snapshot included
@@ -12,12 +12,15 @@
 //   fill/METHOD            the triangles of one sweep: scan_line, cell_test (the paper's)
 //   scan_alone             one keyframe is added to a map of 200 m x 200 m
 //   scan_while_publishing  the same while another thread publishes that map once a second
+//   memory/PEOPLE          5000 keyframes are drawn: forget_people on (forgotten) or off (kept);
+//                          the label is the bytes that a keyframe takes beside its sweep
 //
 // each followed by "/manual_time" (or "/min_time:3.000/manual_time"). Their `real_time`, in
 // `time_unit`, is what the drawing thread has spent on a processor: what else runs on the machine
 // counts little. One iteration is one keyframe, update, sweep or map.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <chrono>
@@ -31,6 +34,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/resident_memory.h"
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/mapping/map_raster.h"
 #include "omega_slam/mapping/map_update.h"
@@ -295,6 +299,23 @@ void scan(benchmark::State& state, const std::vector<PlacedSweep>& lap, bool is_
   }
 }
 
+/// Memory of a map, its tiles included, which are the same however people are treated.
+void memory(benchmark::State& state, const std::vector<PlacedSweep>& lap, bool forget_people) {
+  OccupancyMapperConfig config;
+  config.forget_people = forget_people;
+  const auto sweeps = keyframes(lap, 5000);
+  for (auto _ : state) {
+    malloc_trim(0);  // what was used before is not to be used again
+    const double before = residentMemory();
+    const Stopwatch watch;
+    OccupancyMapper mapper(config);
+    update(mapper, sweeps);
+    state.SetIterationTime(watch.seconds());
+    const double bytes = (residentMemory() - before) / static_cast<double>(sweeps.size());
+    state.SetLabel(std::to_string(std::lround(bytes)));
+  }
+}
+
 using Body = std::function<void(benchmark::State&)>;
 
 benchmark::internal::Benchmark* declare(const std::string& name, const Body& body) {
@@ -325,6 +346,8 @@ void declareAll(const std::vector<PlacedSweep>& lap) {
   declare("map/triangle", [&lap, triangle](auto& s) { drawMap(s, lap, triangle); });
   declare("fill/scan_line", [&](auto& s) { fill(s, lap, mapping::fillTriangle); });
   declare("fill/cell_test", [&](auto& s) { fill(s, lap, mapping::fillTriangleByCellTest); });
+  declare("memory/forgotten", [&](auto& s) { memory(s, lap, true); })->Iterations(1);
+  declare("memory/kept", [&](auto& s) { memory(s, lap, false); })->Iterations(1);
   declare("scan_alone", [&](auto& s) { scan(s, lap, false); })->MinTime(3.0);
   declare("scan_while_publishing", [&](auto& s) { scan(s, lap, true); })->MinTime(3.0);
 }

@@ -51,9 +51,10 @@ std::vector<PlacedSweep> sweepsOf(const std::vector<StandingScan>& scans,
   return sweeps;
 }
 
-TimedMap drawByUs(const std::vector<PlacedSweep>& sweeps, const mapping::RendererConfig& renderer) {
+TimedMap drawByUs(const std::vector<PlacedSweep>& sweeps, const mapping::RendererConfig& renderer,
+                  bool forget_people = true) {
   const CpuTimer timer;
-  TimedMap drawn{drawMap(sweeps, renderer), 0.0};
+  TimedMap drawn{drawMap(sweeps, renderer, forget_people), 0.0};
   drawn.seconds = timer.seconds();
   return drawn;
 }
@@ -97,6 +98,7 @@ void runGridPeer(const Site& site, std::uint64_t seed, const std::filesystem::pa
   for (const NamedRenderer& renderer : renderers()) {
     enter(renderer.name, [&] { return std::make_optional(drawByUs(sweeps, renderer.config)); });
   }
+  enter("beam_keeping_people", [&] { return std::make_optional(drawByUs(sweeps, {}, false)); });
   enter("mrpt", [&] { return drawByMrpt(scans, mount, areaOf(site.truth)); });
 }
 

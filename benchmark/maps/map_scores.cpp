@@ -102,8 +102,9 @@ std::vector<NamedRenderer> renderers() {
 }
 
 OccupancyGrid drawMap(const std::vector<PlacedSweep>& sweeps,
-                      const mapping::RendererConfig& renderer) {
+                      const mapping::RendererConfig& renderer, bool forget_people) {
   mapping::OccupancyMapperConfig config;
+  config.forget_people = forget_people;
   config.renderer = renderer;
   mapping::OccupancyMapper mapper(config);
   for (const PlacedSweep& placed : sweeps) {

@@ -21,7 +21,8 @@ struct NamedRenderer {
 
 /// Draws the sweeps by the default mapper with this renderer.
 [[nodiscard]] grid::OccupancyGrid drawMap(const std::vector<PlacedSweep>& sweeps,
-                                          const mapping::RendererConfig& renderer);
+                                          const mapping::RendererConfig& renderer,
+                                          bool forget_people = true);
 
 /// Where to put what an experiment finds.
 struct SurveyOutput {

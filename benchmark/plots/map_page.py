@@ -90,9 +90,57 @@ def peerSection(results):
          'resemblance', 'walls right', 'walls found'], table)
 
 
+def milliseconds(microseconds):
+    return f'{microseconds / 1000:.3g} ms'
+
+
+def timesSection(results):
+    """What it costs to keep a map in step, by its size."""
+    times = {name: row['real_time'] for name, row in results.times().items()}
+    table = []
+    for count in (100, 1000, 5000):
+        redraw = times.get(f'redraw/{count}')
+        if redraw:
+            one = times[f'add_keyframe/{count}']
+            table.append([f'{count}', milliseconds(redraw), milliseconds(one), f'{redraw / one:.0f}',
+                          milliseconds(times[f'show_keyframe/{count}'])] +
+                         [f'{milliseconds(times[name])} ({percent(times[name] / redraw, 0)})'
+                          for name in (f'move_tenth/{count}', f'move_all/{count}')])
+    return table and markdownTable(
+        ['keyframes', 'all drawn anew', 'one added', 'times less', 'its raster', 'a tenth moves',
+         'all move'], table)
+
+
+DRAWINGS = {'sweep/beam': 'a sweep by beams', 'sweep/triangle': 'a sweep by triangles',
+            'sweep/triangle_join_all': "a sweep by triangles, the paper's plain rule",
+            'fill/scan_line': 'its triangles filled row by row',
+            'fill/cell_test': "its triangles filled by the paper's cell test",
+            'scan_alone': 'a keyframe for a map of 200 m x 200 m',
+            'scan_while_publishing': 'the same while that map is published once a second'}
+
+
+def drawingSection(results):
+    """What single pieces of drawing cost."""
+    times = results.times()
+    return times and markdownTable(
+        ['what', 'microseconds'], [[text, f'{times[name]["real_time"]:.0f}']
+                                   for name, text in DRAWINGS.items()])
+
+
+def memorySection(results):
+    """What a keyframe takes in a map of 5000."""
+    times = results.times()
+    if not times:
+        return None
+    kept, forgotten = (times[f'memory/{name}']['label'] for name in ('kept', 'forgotten'))
+    return (f'In a map of 5000 keyframes, each takes {kept / 1024:.1f} KB beside its sweep where people are '
+            f'kept, and {forgotten / 1024:.1f} KB where they are forgotten: tiles included.\n')
+
+
 def sectionsOf(results):
     """Name in the page -> table."""
     sections = {'run': runSection(results), 'paper': paperSection(results),
                 'ceiling': ceilingSection(results), 'drives': drivesSection(results),
-                'peer': peerSection(results)}
+                'peer': peerSection(results), 'times': timesSection(results),
+                'drawing': drawingSection(results), 'memory': memorySection(results)}
     return {name: text for name, text in sections.items() if text}

@@ -1,24 +1,17 @@
 #include "slam/growth.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <vector>
 
+#include "experiments/resident_memory.h"
 #include "omega_slam/evaluation/report.h"
 #include "slam/slam_run.h"
 
 namespace omega_slam::experiments {
 namespace {
 
-double residentMegabytes() {
-  std::ifstream statm("/proc/self/statm");
-  double all = 0.0;
-  double resident = 0.0;
-  statm >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
-}
+double residentMegabytes() { return residentMemory() / (1024.0 * 1024.0); }
 
 }  // namespace
 

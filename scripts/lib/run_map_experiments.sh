@@ -30,6 +30,12 @@ run_map_experiments() {
     explore peer "$name"
   done
   finish_progress
+  say 'Now the times, which takes some minutes.'
+  "$EXPERIMENTS_TREE/benchmark/mapping_benchmark" --benchmark_repetitions=3 \
+    --benchmark_out="$PART_TABLES/times.csv" --benchmark_out_format=csv \
+    >"$LOG_DIR/experiment_times.log" 2>&1 ||
+    die 'The times could not be taken:' "$(tail -n 3 "$LOG_DIR/experiment_times.log")"
+  sed -n '/^name,/,$p' "$PART_TABLES/times.csv" >"$TABLES/times.csv" # without what stands above
   for table in surveys scores peer; do
     for part in "$PART_TABLES/$table"_*.csv; do append_rows "$part" "$TABLES/$table.csv"; done
   done
