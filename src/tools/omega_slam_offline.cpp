@@ -147,6 +147,32 @@ Account play(io::ScanSource& source, slam::Pipeline& pipeline, double limit) {
   return account;
 }
 
+/// What went wrong, or was mended, a sentence each.
+std::vector<std::string> notesOn(const Account& account, const slam::Pipeline& pipeline,
+                                 const graph::SolveReport& solved) {
+  std::vector<std::string> notes;
+  if (account.untrusted > 0) {
+    notes.push_back(fmt::format(
+        "At {} scans the match was not trusted and the odometry stood alone.", account.untrusted));
+  }
+  if (account.lost > 0) {
+    notes.push_back(fmt::format("At {} scans the robot was lost: what it saw contradicted the map.",
+                                account.lost));
+  }
+  if (!pipeline.withdrawnLoops().empty()) {
+    notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
+                                pipeline.withdrawnLoops().size()));
+  }
+  if (pipeline.retiredKeyframes() > 0) {
+    notes.push_back(fmt::format("{} keyframes have retired from the graph, and {} loops with them.",
+                                pipeline.retiredKeyframes(), pipeline.foldedLoops().size()));
+  }
+  if (!solved.message.empty()) {
+    notes.push_back("The last solve failed: " + solved.message + ".");
+  }
+  return notes;
+}
+
 void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const Account& account,
               const graph::SolveReport& solved, results::RunResults& results) {
   evaluation::Report& report = results.report;
@@ -164,26 +190,7 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
                                          pipeline.withdrawnLoops(), pipeline.foldedLoops());
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
-  if (account.untrusted > 0) {
-    report.notes.push_back(fmt::format(
-        "At {} scans the match was not trusted and the odometry stood alone.", account.untrusted));
-  }
-  if (account.lost > 0) {
-    report.notes.push_back(fmt::format(
-        "At {} scans the robot was lost: what it saw contradicted the map.", account.lost));
-  }
-  if (!pipeline.withdrawnLoops().empty()) {
-    report.notes.push_back(fmt::format("{} loops were withdrawn: all else contradicts them.",
-                                       pipeline.withdrawnLoops().size()));
-  }
-  if (pipeline.retiredKeyframes() > 0) {
-    report.notes.push_back(
-        fmt::format("{} keyframes have retired from the graph, and {} loops with them.",
-                    pipeline.retiredKeyframes(), pipeline.foldedLoops().size()));
-  }
-  if (!solved.message.empty()) {
-    report.notes.push_back("The last solve failed: " + solved.message + ".");
-  }
+  report.notes = notesOn(account, pipeline, solved);
   if (!arguments.relations.empty()) {
     const auto odometry =
         arguments.odometry.empty() ? geometry::Trajectory{} : io::readOdometry(arguments.odometry);
