@@ -30,7 +30,7 @@ def writeLog(path):
     """A robot that stands, while its wheels slip."""
     lines = []
     for k in range(60):
-        ranges = ' '.join(['3.00'] * 45 + ['50.0'] * 90 + [f'{2.0:.2f}'] * 46)
+        ranges = ' '.join(['3.00'] * 45 + ['50.0'] * 90 + [f'{2.0 + 0.01 * (k % 2):.2f}'] * 46)
         pose = f'{0.01 * k:.3f} 0.0 0.0'
         lines.append(f'FLASER 181 {ranges} {pose} {pose} {1000.0 + 0.2 * k:.1f} host 0.0')
     path.write_text('\n'.join(lines) + '\n', encoding='utf-8')

@@ -55,6 +55,20 @@ bool isCountable(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() < kFarthest;
 }
 
+/// The first of some places, of which there is one at least, that is connected with the goal: what
+/// lies nearest to where a robot does not fit may be a pocket. The first of all if none is.
+Eigen::Vector2d nearestConnected(const std::vector<Eigen::Vector2d>& places,
+                                 const GridSearch& search, const Eigen::Vector2d& goal) {
+  if (places.size() == 1) {
+    return places.front();
+  }
+  const TravelCosts costs = search.costsFrom(goal);
+  const auto connected = std::find_if(places.begin(), places.end(), [&](const auto& place) {
+    return std::isfinite(costs.to(place));
+  });
+  return connected == places.end() ? places.front() : *connected;
+}
+
 }  // namespace
 
 std::vector<std::string> plannerNames() {
@@ -137,12 +151,14 @@ Plan GlobalPlanner::planOnce(const Costmap& costmap, const Eigen::Vector2d& star
   if (!end) {
     return refusal(PlanStatus::kGoalTooNarrow, "The robot does not fit at " + text(goal) + ".");
   }
-  const auto exit = exitFrom(costmap, start);
-  if (!exit) {
+  const auto exits = exitsFrom(costmap, start);
+  if (exits.empty()) {
     return refusal(PlanStatus::kStartBlocked,
                    "The robot cannot leave " + text(start) + ", where it does not fit.");
   }
-  const auto way = GridSearch(costmap, cost()).find(*exit, *end);
+  const GridSearch search(costmap, cost());
+  const Eigen::Vector2d exit = nearestConnected(exits, search, *end);
+  const auto way = search.find(exit, *end);
   if (!way) {
     return refusal(PlanStatus::kNoWay,
                    "There is no way from " + text(start) + " to " + text(goal) + ".");
@@ -150,7 +166,7 @@ Plan GlobalPlanner::planOnce(const Costmap& costmap, const Eigen::Vector2d& star
   Plan plan;
   plan.status = PlanStatus::kFound;
   plan.path = improved(costmap, *way);
-  plan.leave = (*exit - start).norm();
+  plan.leave = (exit - start).norm();
   if (plan.leave > 0.0) {
     plan.path.insert(plan.path.begin(), start);
   }
@@ -178,16 +194,17 @@ std::optional<Eigen::Vector2d> GlobalPlanner::nearestFit(const Costmap& costmap,
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector2d> GlobalPlanner::exitFrom(const Costmap& costmap,
-                                                       const Eigen::Vector2d& start) const {
+std::vector<Eigen::Vector2d> GlobalPlanner::exitsFrom(const Costmap& costmap,
+                                                      const Eigen::Vector2d& start) const {
   const GridSearch search(costmap, cost());
   const grid::GridGeometry& geometry = costmap.geometry();
   if (costmap.isFree(start, radius_) && search.isPassable(geometry.cellAt(start))) {
-    return start;
+    return {start};
   }
+  std::vector<Eigen::Vector2d> exits;
   const double room = costmap.solidClearance(start);
   if (room < kDeepest * radius_ - geometry.resolution) {
-    return std::nullopt;
+    return exits;
   }
   const double needed = std::min(room, radius_) - kSlack;
   for (const Eigen::Vector2d& center : centersAbout(geometry, start, config_.leave_distance)) {
@@ -202,10 +219,10 @@ std::optional<Eigen::Vector2d> GlobalPlanner::exitFrom(const Costmap& costmap,
       leads_out = costmap.solidClearance(point) >= needed;
     }
     if (leads_out) {
-      return center;
+      exits.push_back(center);
     }
   }
-  return std::nullopt;
+  return exits;
 }
 
 Path GlobalPlanner::improved(const Costmap& costmap, const Path& path) const {

@@ -71,10 +71,10 @@ class GlobalPlanner {
 
   [[nodiscard]] ClearanceCost cost() const;
 
-  /// The nearest place where the robot fits that it can drive to straight from where it does not:
-  /// never nearer to an obstacle than it already is. The point itself, where it fits.
-  [[nodiscard]] std::optional<Eigen::Vector2d> exitFrom(const Costmap& costmap,
-                                                        const Eigen::Vector2d& start) const;
+  /// Places where the robot fits that it can drive to straight from where it does not, never nearer
+  /// to an obstacle than it already is; the nearest first. The point itself alone, where it fits.
+  [[nodiscard]] std::vector<Eigen::Vector2d> exitsFrom(const Costmap& costmap,
+                                                       const Eigen::Vector2d& start) const;
 
  private:
   [[nodiscard]] Plan planOnce(const Costmap& costmap, const Eigen::Vector2d& start,

@@ -77,6 +77,20 @@ TEST(GlobalPlanner, LeavesAPlaceWhereTheRobotDoesNotFitFirst) {
   EXPECT_EQ(plan.path.front(), Eigen::Vector2d(0.65, 2.0));
 }
 
+TEST(GlobalPlanner, LeavesTowardsWhereTheGoalIs) {
+  // Nothing is known of where the robot stands; the nearest place that is leads nowhere.
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(test::drawnMap({"????????????",  //
+                                 "????      ??",  //
+                                 "? ??      ??",  //
+                                 "????      ??",  //
+                                 "????????????"},
+                                0.05, 10));
+  const Plan plan = planFrom({1.25, 1.25}, {4.0, 1.25}, costmap);
+  ASSERT_TRUE(plan.found()) << plan.reason;
+  EXPECT_GT(plan.leave, 0.9);
+}
+
 TEST(GlobalPlanner, TellsWhatStandsInTheWayFromWhatIsBuiltThere) {
   Costmap costmap = roomsCostmap();
   Sighting sighting;
