@@ -1,5 +1,6 @@
 #include "nodes/common/navigator_config.h"
 
+#include "omega_slam/config/frame_name.h"
 #include "omega_slam/config/slam_config.h"
 
 namespace omega_slam {
@@ -9,13 +10,6 @@ constexpr config::Range kLength{0.0, 100.0};  // [m]
 constexpr config::Range kPositive{0.001, 1000.0};
 constexpr config::Range kDuration{0.0, 3600.0};  // [s]
 constexpr config::Range kPositiveDuration{0.01, 3600.0};
-
-void readFrame(config::ParameterReader& reader, const std::string& key, std::string& frame) {
-  reader.read(key, frame);
-  if (frame.empty() || frame.front() == '/') {
-    reader.fault(key + " must be the name of a frame, without a leading '/'.");
-  }
-}
 
 void readCostmap(config::ParameterReader reader, navigation::CostmapConfig& costmap) {
   reader.read("occupied_threshold", costmap.occupied_threshold, {1.0, 100.0});
@@ -62,8 +56,8 @@ void readRecovery(config::ParameterReader reader, navigation::RecoveryConfig& re
 }  // namespace
 
 void read(config::ParameterReader& reader, NavigatorNodeConfig& config) {
-  readFrame(reader, "map_frame", config.map_frame);
-  readFrame(reader, "base_frame", config.base_frame);
+  config::readFrame(reader, "map_frame", config.map_frame);
+  config::readFrame(reader, "base_frame", config.base_frame);
   reader.read("control_rate", config.control_rate, {4.0, 100.0});
   reader.read("costmap_interval", config.costmap_interval, kDuration);
   reader.read("description", config.description);
