@@ -97,20 +97,14 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
   result.T_keyframe_base = relativePose(surroundings_.newest(), belief_.pose);
   result.belief = beliefInMap();
   if (!tracked.is_contradicted && !judge_.isLost()) {
-    goOn(sweep, prediction, tracked, result);
+    const double seconds = sweep.stamp - surroundings_.keyframes().back()->sweep.stamp;
+    if (isKeyframeDue(result.T_keyframe_base, seconds)) {
+      makeKeyframe(sweep, prediction, tracked, result);
+    } else if (tracked.is_trusted) {
+      surroundings_.addGlance(view, belief_.pose);
+    }
   }
   return result;
-}
-
-/// Keeps what was seen, as a keyframe or as a glance.
-void FrontEnd::goOn(const sensing::Sweep& sweep, const motion::Prediction& prediction,
-                    const TrackedScan& tracked, FrontEndResult& result) {
-  const double seconds = sweep.stamp - surroundings_.keyframes().back()->sweep.stamp;
-  if (isKeyframeDue(result.T_keyframe_base, seconds)) {
-    makeKeyframe(sweep, prediction, tracked, result);
-  } else if (tracked.is_trusted) {
-    surroundings_.addGlance(viewOf(sweep), belief_.pose);
-  }
 }
 
 /// Tracks a scan, and judges what that says. A robot that is lost goes by its odometry.

@@ -77,8 +77,6 @@ class FrontEnd {
                                    double seconds);
   [[nodiscard]] KeyframePtr keep(const sensing::Sweep& sweep,
                                  const motion::Prediction& prediction) const;
-  void goOn(const sensing::Sweep& sweep, const motion::Prediction& prediction,
-            const TrackedScan& tracked, FrontEndResult& result);
   void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
   void resumeAt(const Relocation& found, const sensing::Sweep& sweep,

@@ -120,7 +120,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
 std::vector<Constraint> LoopCloser::tryCandidate(NodeId id, const Candidate& candidate,
                                                  const graph::PoseGraph& graph) {
   const auto reach = static_cast<NodeId>(config_.neighbours);
-  const auto place = placeAround(candidate.id, reach, keyframes_, graph.poses);
+  const auto place = placeAround(candidate.id, reach, {keyframes_, graph.poses});
   const Pose2 believed = relativePose(graph.poses[candidate.id], graph.poses[id]);
   const auto match =
       matcher_.match(place, viewOf(keyframes_[id]->sweep), believed, candidate.window);

@@ -23,7 +23,8 @@ constexpr double kLeastScore = 0.5;     // of the search; what is confident scor
 constexpr double kMostAmbiguity = 0.9;  // score of a rival
 
 /// Squared errors of point to line matches between visits, over what their covariance says: the
-/// place itself is only as true as the graph (mean over the loops of 10 drives through the office).
+/// place itself is only as true as the graph. (1.4 to 4.3 in four simulated drives, lab and
+/// office.)
 constexpr double kDoubt = 3.0;
 
 matching::CorrelativeMatcherConfig searchIn(const SearchWindow& window, double least_score) {
@@ -82,9 +83,8 @@ std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
   return found;
 }
 
-matching::Reference placeAround(NodeId center, NodeId reach,
-                                const std::vector<KeyframePtr>& keyframes,
-                                const std::vector<Pose2>& poses) {
+matching::Reference placeAround(NodeId center, NodeId reach, const KnownPlaces& known) {
+  const auto& [keyframes, poses] = known;
   const NodeId first = center > reach ? center - reach : 0;
   const auto last = std::min<NodeId>(
       center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));

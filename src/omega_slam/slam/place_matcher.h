@@ -49,10 +49,16 @@ class PlaceMatcher {
   PlaceMatcherConfig config_;
 };
 
-/// What a keyframe and its neighbours in time saw, in its frame; its own view is the last.
-/// @param poses of the keyframes, `T_map_base`; those without one are left out
+/// What is known of the places that a robot has been to.
+struct KnownPlaces {
+  const std::vector<KeyframePtr>& keyframes;
+  const std::vector<geometry::Pose2>& poses;  ///< `T_map_base` of the first so many of them
+};
+
+/// What a keyframe and its neighbours in time saw, in its frame; its own view is the last. Those
+/// without a pose are left out.
+/// @param reach neighbours on each side
 [[nodiscard]] matching::Reference placeAround(graph::NodeId center, graph::NodeId reach,
-                                              const std::vector<KeyframePtr>& keyframes,
-                                              const std::vector<geometry::Pose2>& poses);
+                                              const KnownPlaces& known);
 
 }  // namespace omega_slam::slam

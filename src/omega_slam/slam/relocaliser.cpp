@@ -66,7 +66,7 @@ std::optional<Relocation> Relocaliser::tryAt(NodeId place, const matching::View&
                                              const Pose2& guess,
                                              const matching::SearchWindow& window,
                                              const KnownPlaces& known) const {
-  const auto around = placeAround(place, kReach, known.keyframes, known.poses);
+  const auto around = placeAround(place, kReach, known);
   const auto match = matcher_.match(around, scan, relativePose(known.poses[place], guess), window);
   return match ? std::optional<Relocation>({place, *match}) : std::nullopt;
 }

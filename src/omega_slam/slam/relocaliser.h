@@ -10,12 +10,6 @@
 
 namespace omega_slam::slam {
 
-/// What is known of the places that a robot has been to.
-struct KnownPlaces {
-  const std::vector<KeyframePtr>& keyframes;
-  const std::vector<geometry::Pose2>& poses;  ///< `T_map_base` of the first so many of them
-};
-
 /// Where a lost robot has been found.
 struct Relocation {
   graph::NodeId keyframe{0};

@@ -76,7 +76,7 @@ Pose2 Surroundings::believe(const graph::PoseGraph& graph) {
     return newest();  // the robot has been found elsewhere since
   }
   const auto nearby = wanted(graph, last);
-  if (hasBent(graph, last)) {
+  if (hasBent(last)) {
     redraw(last, nearby);
     T_map_local_ = {};
     return newest();
@@ -116,14 +116,14 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId n
   return ids;
 }
 
-bool Surroundings::hasBent(const graph::PoseGraph& graph, NodeId newest) const {
+bool Surroundings::hasBent(NodeId newest) const {
   return std::any_of(drawn_.begin(), drawn_.end(), [&](const auto& drawn) {
     const auto& [id, T_local_base] = drawn;
-    if (id >= newest || distance(graph.poses[id], graph.poses[newest]) > config_.radius) {
+    if (id >= newest || distance(poses_[id], poses_[newest]) > config_.radius) {
       return false;
     }
     const Pose2 bend = relativePose(relativePose(drawn_.at(newest), T_local_base),
-                                    relativePose(graph.poses[newest], graph.poses[id]));
+                                    relativePose(poses_[newest], poses_[id]));
     return std::hypot(bend.x, bend.y) > kBendTranslation || std::abs(bend.theta) > kBendRotation;
   });
 }

@@ -9,7 +9,7 @@
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/matching/local_map.h"
 #include "omega_slam/slam/keyframe.h"
-#include "omega_slam/slam/relocaliser.h"
+#include "omega_slam/slam/place_matcher.h"
 
 namespace omega_slam::slam {
 
@@ -74,7 +74,7 @@ class Surroundings {
 
   [[nodiscard]] std::vector<graph::NodeId> wanted(const graph::PoseGraph& graph,
                                                   graph::NodeId newest) const;
-  [[nodiscard]] bool hasBent(const graph::PoseGraph& graph, graph::NodeId newest) const;
+  [[nodiscard]] bool hasBent(graph::NodeId newest) const;
   void redraw(graph::NodeId newest, const std::vector<graph::NodeId>& wanted);
   void draw(graph::NodeId id, const geometry::Pose2& T_local_base);
 
