@@ -52,7 +52,7 @@ CASES = [
     Case({'a.txt': 'ls /ro' 'ot/x\n'}, ("root's home",)),
     Case({'a.txt': 'ssh 192.168' '.1.20\n'}, ('a private address',)),
     Case({'a.txt': 'http:' '//packages.lan/x\n'}, ('not a public one',)),
-    Case({'a.txt': 'https:' '//registry.npmjs.org/\n'}, ('of a registry',)),
+    Case({'a.txt': 'https:' '//registry.example/\n'}, ('of a registry',)),
 ]
 
 if __name__ == '__main__':
