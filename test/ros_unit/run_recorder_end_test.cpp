@@ -83,6 +83,22 @@ TEST(RunEndTest, ItWaitsForTheMapToShowTheGraph) {
   EXPECT_EQ(end.update(progress), Phase::kOver);
 }
 
+TEST(RunEndTest, KeyframesMadeWhileItWaitsAreNotWaitedFor) {
+  RunEnd end(RunEndConfig{});
+  RunProgress progress = driving();
+  progress.route_status = "done";
+  progress.map_stamp = 58.0;
+  end.update(progress);
+  progress.time += 1.5;
+  EXPECT_EQ(end.update(progress), Phase::kSettling);
+  progress.keyframes = 14;
+  progress.graph_poses = 13;  // always a step behind the robot, as is the map behind the graph
+  progress.graph_stamp = 61.0;
+  progress.map_stamp = 59.5;
+  EXPECT_EQ(end.update(progress), Phase::kOver);
+  EXPECT_TRUE(end.settled());
+}
+
 TEST(RunEndTest, WhatNeverSettlesEndsAtTheDeadlineAndSaysSo) {
   RunEndConfig config;
   config.settle_deadline = 20.0;

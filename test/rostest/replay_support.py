@@ -238,12 +238,18 @@ def bestAlignment(points_a, points_b):
     return T_a_b
 
 
-def compare(recorded, replayed):
-    """@param recorded, replayed folders that run_recorder has written"""
+def compare(recorded, replayed, duration):
+    """
+    @param recorded, replayed folders that run_recorder has written
+    @param duration [s] that both were to last
+    """
     poses_a, poses_b = readTrajectory(recorded), readTrajectory(replayed)
+    end = min(max(poses_a), max(poses_b))  # each goes on until its map has caught up
+    wanted = sum(stamp <= end for stamp in poses_a)
     stamps = sorted(set(poses_a) & set(poses_b))
-    if len(stamps) < 0.9 * len(poses_a):
-        raise RuntimeError(f'Only {len(stamps)} of {len(poses_a)} scans are in the replay too.')
+    if end - min(poses_a) < 0.9 * duration or len(stamps) < 0.9 * wanted:
+        raise RuntimeError(f'Only {len(stamps)} of {wanted} scans until {end:.1f} s are in both '
+                           f'runs, which were to last {duration:.0f} s.')
     T_recorded_replayed = bestAlignment(numpy.array([poses_a[stamp][:2] for stamp in stamps]),
                                         numpy.array([poses_b[stamp][:2] for stamp in stamps]))
     distances, turns = [], []
@@ -266,7 +272,7 @@ def recordAndReplay(run, folder):
     folder = pathlib.Path(folder)
     bag = withoutSlam(record(run, folder / 'recording'), folder / 'replayed.bag')
     replay(run, bag, folder / 'replay')
-    return compare(folder / 'recording' / 'results', folder / 'replay' / 'results')
+    return compare(folder / 'recording' / 'results', folder / 'replay' / 'results', run.duration)
 
 
 def printDistribution(differences):

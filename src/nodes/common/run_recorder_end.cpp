@@ -38,9 +38,16 @@ std::string RunEnd::findReason(const RunProgress& progress) const {
   return {};
 }
 
-bool RunEnd::hasSettled(const RunProgress& progress) const {
-  return progress.time - end_time_ >= config_.settle_time &&
-         progress.graph_poses >= progress.keyframes && progress.map_stamp >= progress.graph_stamp;
+bool RunEnd::hasSettled(const RunProgress& progress) {
+  if (progress.time - end_time_ < config_.settle_time) {
+    return false;
+  }
+  // What is waited for stands still, though the robot may drive on and make more.
+  wanted_keyframes_ = wanted_keyframes_.value_or(progress.keyframes);
+  if (progress.graph_poses >= *wanted_keyframes_) {
+    wanted_stamp_ = wanted_stamp_.value_or(progress.graph_stamp);
+  }
+  return wanted_stamp_ && progress.map_stamp >= *wanted_stamp_;
 }
 
 }  // namespace omega_slam

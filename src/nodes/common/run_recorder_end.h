@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace omega_slam {
@@ -26,7 +27,7 @@ struct RunEndConfig {
 };
 
 /// Decides when a run is over: its route is done, its exploration has ended, the robot is stuck, or
-/// the time is up, and graph and map have caught up with the last keyframe. Knows no clock; every
+/// the time is up, and graph and map have caught up with the last keyframe of that time. Knows no clock; every
 /// fact is handed in.
 class RunEnd {
  public:
@@ -44,7 +45,7 @@ class RunEnd {
 
  private:
   [[nodiscard]] std::string findReason(const RunProgress& progress) const;
-  [[nodiscard]] bool hasSettled(const RunProgress& progress) const;
+  [[nodiscard]] bool hasSettled(const RunProgress& progress);
 
   RunEndConfig config_;
   Phase phase_{Phase::kRunning};
@@ -52,6 +53,8 @@ class RunEnd {
   bool settled_{false};
   double end_time_{0.0};       ///< [s] of the run's clock when settling began
   double end_wall_time_{0.0};  ///< [s] likewise, of wall time
+  std::optional<std::size_t> wanted_keyframes_;  ///< that the graph is to hold
+  std::optional<double> wanted_stamp_;           ///< [s] of the graph that the map is to show
 };
 
 }  // namespace omega_slam
