@@ -91,22 +91,12 @@ int fill(Descriptor& file, std::string_view content) {
   return written != 0 ? written : (synced != 0 ? synced : closed);
 }
 
-}  // namespace
-
-std::string writeFileAtomically(const fs::path& path, std::string_view content) {
-  if (path.filename().empty()) {
-    return sentence(path, "the path names no file");
-  }
-  std::error_code error;
-  const fs::path target = fs::absolute(path, error);
-  fs::create_directories(target.parent_path(), error);
-  if (error) {
-    return sentence(path, fmt::format("its folder could not be made: {}", error.message()));
-  }
+/// @return 0 or errno
+int replaceFile(const fs::path& target, std::string_view content) {
   fs::path temporary;
   Descriptor file(openTemporary(target, temporary));
   if (!file.isOpen()) {
-    return sentence(path, cause(errno));
+    return errno;
   }
   int failure = fill(file, content);
   if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) {
@@ -114,10 +104,46 @@ std::string writeFileAtomically(const fs::path& path, std::string_view content) 
   }
   if (failure != 0) {
     ::unlink(temporary.c_str());
-    return sentence(path, cause(failure));
+    return failure;
   }
-  const int synced = syncFolder(target.parent_path());
-  return synced == 0 ? std::string() : sentence(path, cause(synced));
+  return syncFolder(target.parent_path());
+}
+
+/// @param target a device or a pipe: what it takes in is gone, and a rename would put it out of the
+/// way
+/// @return 0 or errno
+int writeInto(const fs::path& target, std::string_view content) {
+  Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.isOpen()) {
+    return errno;
+  }
+  const int written = writeAll(file.get(), content);
+  const int closed = file.close();
+  return written != 0 ? written : closed;
+}
+
+/// The file that is meant: a link stays one.
+fs::path targetOf(const fs::path& path) {
+  std::error_code error;
+  const fs::path target = fs::absolute(path, error);
+  return fs::is_symlink(target, error) ? fs::weakly_canonical(target, error) : target;
+}
+
+}  // namespace
+
+std::string writeFileAtomically(const fs::path& path, std::string_view content) {
+  if (path.filename().empty()) {
+    return sentence(path, "the path names no file");
+  }
+  const fs::path target = targetOf(path);
+  std::error_code error;
+  fs::create_directories(target.parent_path(), error);
+  if (error) {
+    return sentence(path, fmt::format("its folder could not be made: {}", error.message()));
+  }
+  const int failure =
+      fs::is_other(target, error) ? writeInto(target, content) : replaceFile(target, content);
+  return failure == 0 ? std::string() : sentence(path, cause(failure));
 }
 
 std::string readFile(const fs::path& path) {

@@ -71,6 +71,15 @@ TEST(AtomicFileHostile, FullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+TEST(AtomicFileHostile, ADeviceThatIsFullSaysSoAndStays) {
+  const test::TemporaryFolder folder;
+  const fs::path link = folder.path() / "map.pgm";
+  fs::create_symlink("/dev/full", link);
+  EXPECT_EQ(writeFileAtomically(link, "x"),
+            link.string() + " could not be written: No space left on device.");
+  EXPECT_TRUE(fs::is_character_file(link));
+}
+
 TEST(AtomicFileHostile, ReadOnlyFolder) {
   const test::TemporaryFolder folder;
   const fs::path locked = folder.path() / "locked";

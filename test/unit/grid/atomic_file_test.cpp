@@ -1,7 +1,9 @@
 #include "omega_slam/grid/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "support/temporary_folder.h"
 
@@ -48,6 +50,30 @@ TEST(AtomicFile, ModeFollowsTheUmask) {
   struct stat status {};
   ASSERT_EQ(::stat((folder.path() / "a").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, ALinkStaysOne) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "kept");
+  const fs::path file = folder.write("kept/map.pgm", "old");
+  const fs::path link = folder.path() / "newest.pgm";
+  fs::create_symlink("kept/map.pgm", link);
+  EXPECT_EQ(writeFileAtomically(link, "new"), "");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(readFile(file), "new");
+}
+
+TEST(AtomicFile, APipeIsWrittenInto) {
+  const test::TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  EXPECT_EQ(writeFileAtomically(pipe, "through"), "");
+  char content[16] = {};
+  EXPECT_EQ(::read(reader, content, sizeof(content)), 7);
+  ::close(reader);
+  EXPECT_STREQ(content, "through");
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 }  // namespace
