@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <future>
 #include <thread>
 
 namespace omega_slam {
@@ -116,6 +117,31 @@ TEST_F(GraphWorkerTest, AResetWhileMessagesComeLeavesRoomForTheNextRun) {
   worker.reset();
   drive(worker, 2);
   EXPECT_TRUE(waitFor(2, kKeyframes, kConstraints));
+}
+
+/// However long a solve and its publication take.
+TEST_F(GraphWorkerTest, CallbacksNeverWaitForTheWorker) {
+  std::promise<void> begun;
+  std::promise<void> gate;
+  std::once_flag once;
+  GraphWorker worker({}, diagnostics_, [&](const GraphSnapshotPtr& snapshot) {
+    std::call_once(once, [&] {
+      begun.set_value();
+      gate.get_future().wait();
+    });
+    take()(snapshot);
+  });
+  worker.add(keyframe(1, 0));
+  begun.get_future().wait();
+  std::future<void> callbacks = std::async(std::launch::async, [&] {
+    drive(worker, 1);
+    EXPECT_EQ(worker.snapshot()->graph.poses.size(), 1U);
+  });
+  const auto state = callbacks.wait_for(seconds(30));
+  gate.set_value();
+  EXPECT_EQ(state, std::future_status::ready);
+  callbacks.get();
+  EXPECT_TRUE(waitFor(1, kKeyframes, kConstraints));
 }
 
 TEST_F(GraphWorkerTest, AfterTheStopNobodyIsTold) {
