@@ -44,11 +44,16 @@ void IncrementalSolver::addNode(const Pose2& T_map_node,
   graph_.poses.push_back(T_map_node);
   graph_.poses.back() = relaxNode(graph_, node, constraints);
   graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
-  if (!cholesky_ || graph_.poses.size() > capacity_) {
+  if (!cholesky_ || part_.size() == capacity_) {
     batch();
     return;
   }
+  part_.append(node);
   linearized_at_.push_back(graph_.poses.back());
+  if (!isFor(constraints)) {
+    batch();
+    return;
+  }
   for (const Constraint& constraint : constraints) {
     include(constraint);
   }
@@ -56,7 +61,7 @@ void IncrementalSolver::addNode(const Pose2& T_map_node,
 
 void IncrementalSolver::addConstraints(const std::vector<Constraint>& constraints) {
   graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
-  if (!cholesky_) {
+  if (!cholesky_ || !isFor(constraints)) {
     batch();
     return;
   }
@@ -69,26 +74,34 @@ void IncrementalSolver::addConstraints(const std::vector<Constraint>& constraint
   }
 }
 
+bool IncrementalSolver::isFor(const std::vector<Constraint>& constraints) const {
+  return std::all_of(constraints.begin(), constraints.end(), [this](const Constraint& constraint) {
+    return part_.has(constraint.from) && part_.has(constraint.to);
+  });
+}
+
 void IncrementalSolver::include(const Constraint& constraint) {
+  const Constraint renumbered = part_.renumbered(constraint);
   const LinearizedConstraint at =
-      linearize(constraint, linearized_at_[constraint.from], linearized_at_[constraint.to]);
+      linearize(renumbered, linearized_at_[renumbered.from], linearized_at_[renumbered.to]);
   const double squared = chiSquare(graph_, constraint);
   const double weight = config_.solver.kernels.of(constraint.kind).at(squared).weight;
-  cholesky_->add(constraint, at, weight);
+  cholesky_->add(renumbered, at, weight);
 }
 
 void IncrementalSolver::follow() {
   const Eigen::VectorXd mu = cholesky_->solve();
   if (mu.allFinite()) {
-    std::copy(linearized_at_.begin(), linearized_at_.end(), graph_.poses.begin());
-    moveBy(graph_.poses, mu.head(3 * static_cast<Eigen::Index>(graph_.poses.size())));
+    std::vector<Pose2> poses = linearized_at_;
+    moveBy(poses, mu.head(3 * static_cast<Eigen::Index>(poses.size())));
+    part_.place(poses, graph_);
   }
 }
 
 bool IncrementalSolver::isStale() const {
-  for (std::size_t node = 0; node < graph_.poses.size(); ++node) {
-    const Pose2& pose = graph_.poses[node];
-    const Pose2& before = linearized_at_[node];
+  for (std::size_t i = 0; i < part_.size(); ++i) {
+    const Pose2& pose = graph_.poses[part_.nodes()[i]];
+    const Pose2& before = linearized_at_[i];
     if (std::abs(geometry::angleDifference(pose.theta, before.theta)) > config_.max_turn ||
         geometry::distance(pose, before) > config_.max_move) {
       return true;
@@ -99,19 +112,20 @@ bool IncrementalSolver::isStale() const {
 
 void IncrementalSolver::batch() {
   ++batches_;
-  const std::size_t nodes = graph_.poses.size();
+  part_ = EstimatedPart(graph_);
+  PoseGraph roomy = part_.of(graph_);
+  linearized_at_ = roomy.poses;
+  const std::size_t nodes = part_.size();
   capacity_ = nodes + static_cast<std::size_t>(config_.batch_nodes);
-  PoseGraph roomy = graph_;
   roomy.poses.resize(capacity_);
   const std::vector<NodeId> first{0};
-  InformationForm form(capacity_, graph_.constraints, graph_.held.empty() ? first : graph_.held);
-  fillForm(roomy, Weighing(config_.solver.kernels, graph_), form);
+  InformationForm form(capacity_, roomy.constraints, roomy.held.empty() ? first : roomy.held);
+  fillForm(roomy, Weighing(config_.solver.kernels, roomy), form);
   for (std::size_t node = nodes; node < capacity_; ++node) {
     for (int axis = 0; axis < 3; ++axis) {
       form.addDiagonal(static_cast<NodeId>(node), axis, kNothingKnown);
     }
   }
-  linearized_at_ = graph_.poses;
   cholesky_ = std::make_unique<UpdatableCholesky>(
       form, static_cast<NodeId>(nodes - std::min(nodes, kOpenNodes)));
   if (cholesky_->isValid()) {
@@ -121,9 +135,6 @@ void IncrementalSolver::batch() {
 
 void IncrementalSolver::place(NodeId node, const Pose2& T_map_node) {
   graph_.poses[node] = T_map_node;
-  if (cholesky_) {
-    linearized_at_[node] = T_map_node;
-  }
 }
 
 SolveReport IncrementalSolver::withdraw(std::size_t k) {
@@ -138,7 +149,11 @@ SolveReport IncrementalSolver::resume(PoseGraph graph) {
 
 SolveReport IncrementalSolver::finish() {
   cholesky_.reset();
-  return solver_.solve(graph_);
+  const EstimatedPart part(graph_);
+  PoseGraph estimated = part.of(graph_);
+  SolveReport report = solver_.solve(estimated);
+  part.place(estimated.poses, graph_);
+  return report;
 }
 
 }  // namespace omega_slam::graph

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "omega_slam/graph/estimated_part.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/graph/solver.h"
 #include "omega_slam/graph/updatable_cholesky.h"
@@ -28,7 +29,8 @@ struct IncrementalConfig {
 /// moves. A constraint between known nodes changes the factor of Omega along one path of its
 /// elimination tree, and a backward substitution gives all poses. Linearisation points stay until a
 /// batch step (Kaess, Ranganathan and Dellaert, "iSAM: incremental smoothing and mapping", T-RO 24,
-/// 2008, section IV), which comes early where a pose has moved far.
+/// 2008, section IV), which comes early where a pose has moved far. Nodes that are held and tied to
+/// nothing cost nothing.
 class IncrementalSolver {
  public:
   explicit IncrementalSolver(
@@ -56,8 +58,12 @@ class IncrementalSolver {
 
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
   [[nodiscard]] std::size_t batches() const { return batches_; }  ///< steps of the whole so far
+  /// Nodes in the factor of Omega, but for the room for others; 0 where a batch step is due.
+  [[nodiscard]] std::size_t factorized() const { return cholesky_ ? part_.size() : 0; }
 
  private:
+  /// Whether the factor has the nodes of all.
+  [[nodiscard]] bool isFor(const std::vector<Constraint>& constraints) const;
   void include(const Constraint& constraint);
   void batch();
   void follow();
@@ -65,7 +71,8 @@ class IncrementalSolver {
 
   IncrementalConfig config_;
   PoseGraph graph_;                              ///< at the estimate
-  std::vector<geometry::Pose2> linearized_at_;   ///< poses
+  EstimatedPart part_;                           ///< of it, which the factor is of
+  std::vector<geometry::Pose2> linearized_at_;   ///< poses of the part
   std::unique_ptr<UpdatableCholesky> cholesky_;  ///< none where a batch step is due
   std::size_t capacity_{0};                      ///< nodes that the factor has room for
   std::size_t batches_{0};

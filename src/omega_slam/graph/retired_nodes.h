@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
@@ -26,7 +25,7 @@ class RetiredNodes {
   void add(const Retirement& retirement);
 
   [[nodiscard]] std::size_t size() const { return anchorings_.size(); }
-  [[nodiscard]] bool has(NodeId node) const { return anchorings_.count(node) > 0; }
+  [[nodiscard]] bool has(NodeId node) const { return find(node) != nullptr; }
 
   /// What a constraint says of the nodes that are estimated. It may tie one to itself then, and
   /// says nothing.
@@ -35,17 +34,20 @@ class RetiredNodes {
   /// Calls `move(node, T_map_node)` for each, with the pose that its anchor's asks for.
   template <typename Move>
   void follow(const std::vector<geometry::Pose2>& poses, Move move) const {
-    for (const auto& [node, anchoring] : anchorings_) {
-      move(node, poses[anchoring.anchor] * anchoring.T_anchor_node);
+    for (const Anchoring& anchoring : anchorings_) {
+      move(anchoring.node, poses[anchoring.anchor] * anchoring.T_anchor_node);
     }
   }
 
  private:
   struct Anchoring {
+    NodeId node;
     NodeId anchor;
     geometry::Pose2 T_anchor_node;
   };
-  std::map<NodeId, Anchoring> anchorings_;
+  [[nodiscard]] const Anchoring* find(NodeId node) const;
+
+  std::vector<Anchoring> anchorings_;  ///< by node, ascending
 };
 
 }  // namespace omega_slam::graph

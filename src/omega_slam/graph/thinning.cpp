@@ -16,17 +16,35 @@ namespace {
 class Places {
  public:
   Places(const PoseGraph& graph, const ThinningConfig& config) : graph_(graph), config_(config) {
-    is_tied_.assign(graph.poses.size(), false);
+    std::vector<bool> is_tied(graph.poses.size(), false);
     for (const Constraint& constraint : graph.constraints) {
-      is_tied_[constraint.from] = is_tied_[constraint.to] = true;
+      is_tied[constraint.from] = is_tied[constraint.to] = true;
+    }
+    for (NodeId node = 0; node < is_tied.size(); ++node) {
+      if (is_tied[node]) {
+        tied_.push_back(node);
+      }
     }
   }
 
+  /// Nodes that may go, those that are tied to something: what is not was taken out before. Never
+  /// the first of the graph, nor the newest.
+  [[nodiscard]] std::vector<NodeId> candidates() const {
+    std::vector<NodeId> nodes;
+    for (const NodeId node : tied_) {
+      if (node > 0 && node + static_cast<std::size_t>(config_.newest) < graph_.poses.size()) {
+        nodes.push_back(node);
+      }
+    }
+    return nodes;
+  }
+
   /// Whether there are enough later nodes where a node is.
-  [[nodiscard]] bool isCrowded(std::size_t node) const {
+  [[nodiscard]] bool isCrowded(NodeId node) const {
     int later_here = 0;
-    for (std::size_t other = node + 1; is_tied_[node] && other < is_tied_.size(); ++other) {
-      later_here += isAt(graph_.poses[node], other) ? 1 : 0;
+    for (auto other = std::upper_bound(tied_.begin(), tied_.end(), node); other != tied_.end();
+         ++other) {
+      later_here += isAt(graph_.poses[node], graph_.poses[*other]) ? 1 : 0;
       if (later_here >= config_.nodes_per_place) {
         return true;
       }
@@ -34,18 +52,15 @@ class Places {
     return false;
   }
 
-  void untie(std::size_t node) { is_tied_[node] = false; }
-
  private:
-  [[nodiscard]] bool isAt(const Pose2& pose, std::size_t node) const {
-    const Pose2& other = graph_.poses[node];
-    return is_tied_[node] && geometry::distance(pose, other) < config_.spacing &&
+  [[nodiscard]] bool isAt(const Pose2& pose, const Pose2& other) const {
+    return geometry::distance(pose, other) < config_.spacing &&
            std::abs(geometry::angleDifference(pose.theta, other.theta)) < config_.turn;
   }
 
   const PoseGraph& graph_;
   const ThinningConfig& config_;
-  std::vector<bool> is_tied_;  ///< by node: what is tied to nothing was taken out before
+  std::vector<NodeId> tied_;  ///< ascending
 };
 
 }  // namespace
@@ -62,13 +77,9 @@ std::vector<std::string> ThinningConfig::validate() const {
 
 bool isAnyCrowded(const PoseGraph& graph, const ThinningConfig& config) {
   const Places places(graph, config);
-  const auto newest = static_cast<std::size_t>(config.newest);
-  for (std::size_t node = 1; node + newest < graph.poses.size(); ++node) {
-    if (places.isCrowded(node)) {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<NodeId> candidates = places.candidates();
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [&places](NodeId node) { return places.isCrowded(node); });
 }
 
 std::vector<Retirement> retireNodes(PoseGraph& graph, const ThinningConfig& config) {
@@ -77,15 +88,12 @@ std::vector<Retirement> retireNodes(PoseGraph& graph, const ThinningConfig& conf
   if (config.nodes_per_place == 0) {
     return retired;
   }
-  Places places(graph, config);
-  const auto newest = static_cast<std::size_t>(config.newest);
-  for (std::size_t node = 1; node + newest < graph.poses.size(); ++node) {
-    const auto retirement =
-        places.isCrowded(node)
-            ? retireNode(graph, static_cast<NodeId>(node), config.max_divergence, config.kernels)
-            : std::nullopt;
+  const Places places(graph, config);
+  for (const NodeId node : places.candidates()) {
+    const auto retirement = places.isCrowded(node)
+                                ? retireNode(graph, node, config.max_divergence, config.kernels)
+                                : std::nullopt;
     if (retirement) {
-      places.untie(node);
       retired.push_back(*retirement);
     }
   }

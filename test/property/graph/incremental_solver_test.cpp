@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "omega_slam/graph/estimated_part.h"
 #include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/node_removal.h"
 #include "support/graphs.h"
 #include "support/poses.h"
 #include "support/seeds.h"
@@ -116,6 +118,63 @@ TEST(IncrementalSolverLaws, ANewLeafMovesNothing) {
     EXPECT_EQ(solver.graph().poses[i].vector(), before[i].vector());
   }
   EXPECT_LT(chiSquare(solver.graph(), tie), 1e-9);
+}
+
+/// Whatever has retired: the rest is solved as if it had never been, and costs no more.
+TEST(IncrementalSolverLaws, RetiredNodesAreNoPartOfTheWork) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    PoseGraph graph = test::randomWalk({60, 50, 0.02, 0.0}, random).graph;
+    IncrementalConfig config = plain();
+    config.solver.limits = {100, 1e-14};
+    solve(graph, config.solver);
+    std::size_t retired = 0;
+    for (NodeId node = 5; node < 50; node += 3) {
+      retired += retireNode(graph, node, 1e9) ? 1 : 0;
+    }
+    ASSERT_GT(retired, 10U);
+    IncrementalSolver solver(config);
+    solver.resume(graph);
+    Constraint loop = graph.constraints.front();  // of nodes that are still there
+    loop.T_from_to = loop.T_from_to * geometry::Pose2{0.02, 0.01, 0.01};
+    solver.addConstraints({loop});
+    EXPECT_EQ(solver.factorized(), graph.poses.size() - retired);
+
+    const EstimatedPart part(graph);
+    PoseGraph alone = part.of(graph);
+    alone.constraints.push_back(part.renumbered(loop));
+    solve(alone, config.solver);
+    solver.finish();
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      EXPECT_LT(test::gapBetween(solver.graph().poses[part.nodes()[i]], alone.poses[i]).translation,
+                1e-5);
+    }
+  }
+}
+
+TEST(IncrementalSolverLaws, ARetiredNodeMayBeTiedAgain) {
+  std::mt19937_64 random(5);
+  PoseGraph graph = test::randomWalk({40, 30, 0.02, 0.0}, random).graph;
+  solve(graph, plain().solver);
+  ASSERT_TRUE(retireNode(graph, 20, 1e9));
+  IncrementalSolver solver(plain());
+  solver.resume(graph);
+  Constraint step;
+  step.from = 39;
+  step.to = 40;
+  solver.addNode(graph.poses[39], {step});
+  const std::size_t before = solver.factorized();
+  Constraint tie;
+  tie.from = 20;
+  tie.to = 40;
+  tie.T_from_to = relativePose(graph.poses[20], graph.poses[39]);
+  solver.addConstraints({tie});
+  EXPECT_EQ(solver.factorized(), before + 1);
+  EXPECT_EQ(solver.graph().poses[20].vector(), graph.poses[20].vector()) << "it is held";
+  PoseGraph rested = solver.graph();
+  const double least = solve(rested, plain().solver).chi_square;
+  EXPECT_NEAR(solver.finish().chi_square, least, 1e-6 * least);
 }
 
 TEST(IncrementalSolverLaws, AWithdrawnLoopLeavesNoTrace) {
