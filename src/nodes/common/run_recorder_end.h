@@ -27,8 +27,8 @@ struct RunEndConfig {
 };
 
 /// Decides when a run is over: its route is done, its exploration has ended, the robot is stuck, or
-/// the time is up, and graph and map have caught up with the last keyframe of that time. Knows no clock; every
-/// fact is handed in.
+/// the time is up, and graph and map have caught up with the last keyframe of that time. Knows no
+/// clock; every fact is handed in.
 class RunEnd {
  public:
   enum class Phase { kRunning, kSettling, kOver };
@@ -51,8 +51,8 @@ class RunEnd {
   Phase phase_{Phase::kRunning};
   std::string reason_;
   bool settled_{false};
-  double end_time_{0.0};       ///< [s] of the run's clock when settling began
-  double end_wall_time_{0.0};  ///< [s] likewise, of wall time
+  double end_time_{0.0};                         ///< [s] of the run's clock when settling began
+  double end_wall_time_{0.0};                    ///< [s] likewise, of wall time
   std::optional<std::size_t> wanted_keyframes_;  ///< that the graph is to hold
   std::optional<double> wanted_stamp_;           ///< [s] of the graph that the map is to show
 };
