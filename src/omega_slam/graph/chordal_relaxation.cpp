@@ -51,11 +51,11 @@ Eigen::Matrix3d positionInformation(const Constraint& constraint) {
 
 template <typename Linearize, typename Weigh>
 std::optional<Eigen::VectorXd> solveLinear(GraphSystem& system, const PoseGraph& graph,
-                                           Linearize linearizeOne, Weigh weigh) {
+                                           Linearize linearize_one, Weigh weigh) {
   system.form().clear();
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     const Constraint& constraint = graph.constraints[k];
-    system.form().add(k, linearizeOne(constraint, graph), weigh(constraint));
+    system.form().add(k, linearize_one(constraint, graph), weigh(constraint));
   }
   return system.solve();
 }
