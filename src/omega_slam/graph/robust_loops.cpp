@@ -10,6 +10,7 @@
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/graph/descent.h"
 #include "omega_slam/graph/doubtful_loops.h"
+#include "omega_slam/graph/estimated_part.h"
 #include "omega_slam/graph/first_guess.h"
 #include "omega_slam/graph/linearization.h"
 #include "omega_slam/graph/loop_examination.h"
@@ -39,7 +40,7 @@ KernelConfig switches() {
 
 class Examination {
  public:
-  Examination(PoseGraph& graph, const RobustConfig& config);
+  Examination(PoseGraph& graph, std::vector<DoubtfulLoop> loops, const RobustConfig& config);
 
   [[nodiscard]] RobustReport run();
 
@@ -69,11 +70,9 @@ class Examination {
   int iterations_{0};
 };
 
-Examination::Examination(PoseGraph& graph, const RobustConfig& config)
-    : graph_(graph),
-      config_(config),
-      loops_(doubtfulLoops(graph, config.support)),
-      weighing_(switches(), graph) {
+Examination::Examination(PoseGraph& graph, std::vector<DoubtfulLoop> loops,
+                         const RobustConfig& config)
+    : graph_(graph), config_(config), loops_(std::move(loops)), weighing_(switches(), graph) {
   system_.prepare(graph_, spanningForest(graph_).roots);
 }
 
@@ -333,7 +332,12 @@ RobustReport solveWithDoubtfulLoops(PoseGraph& graph, const RobustConfig& config
     report.solution.message = "a pose or a constraint is not finite";
     return report;
   }
-  return Examination(graph, config).run();
+  // Which loops are near each other, the numbers of the whole graph say.
+  const EstimatedPart part(graph);
+  PoseGraph estimated = part.of(graph);
+  RobustReport report = Examination(estimated, doubtfulLoops(graph, config.support), config).run();
+  part.place(estimated.poses, graph);
+  return report;
 }
 
 }  // namespace omega_slam::graph

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "omega_slam/graph/node_removal.h"
 #include "omega_slam/graph/solver.h"
 #include "support/false_loops.h"
 #include "support/poses.h"
@@ -91,6 +92,42 @@ TEST(RobustLoopsLaws, PosesGivenDoNotMatter) {
 }
 
 /// Variances a hundred times too large, or somewhat too small.
+TEST(RobustLoopsLaws, WhereRetiredNodesLieDoesNotMatter) {
+  std::mt19937_64 random(4);
+  auto problem = test::drivenRounds({}, random);
+  PoseGraph graph = solved(problem.graph);
+  std::vector<NodeId> retired;
+  for (NodeId node = 3; node < graph.poses.size(); node += 7) {
+    if (retireNode(graph, node, 1e9)) {
+      retired.push_back(node);
+    }
+  }
+  ASSERT_GT(retired.size(), 5U);
+  problem.graph = graph;
+  test::addFalseLoops(problem, 10, 1, random);
+  const auto isRetired = [&retired](NodeId node) {
+    return std::binary_search(retired.begin(), retired.end(), node);
+  };
+  auto& constraints = problem.graph.constraints;
+  constraints.erase(std::remove_if(constraints.begin(), constraints.end(),
+                                   [&](const Constraint& constraint) {
+                                     return isRetired(constraint.from) || isRetired(constraint.to);
+                                   }),
+                    constraints.end());
+  PoseGraph near = problem.graph;
+  PoseGraph far = problem.graph;
+  for (const NodeId node : retired) {
+    far.poses[node] = test::randomPose(1000.0, 3.0, random);
+  }
+  const RobustReport of_near = solveWithDoubtfulLoops(near);
+  const RobustReport of_far = solveWithDoubtfulLoops(far);
+  ASSERT_EQ(of_near.loops.size(), of_far.loops.size());
+  for (std::size_t i = 0; i < of_near.loops.size(); ++i) {
+    EXPECT_EQ(of_near.loops[i].standing, of_far.loops[i].standing);
+    EXPECT_EQ(of_near.loops[i].chance, of_far.loops[i].chance);
+  }
+}
+
 TEST(RobustLoopsLaws, BearsInformationOfTheWrongScale) {
   for (const double confidence : {0.01, 2.0}) {
     SCOPED_TRACE(confidence);
