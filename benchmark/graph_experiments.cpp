@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/program.h"
 #include "graph/contestants.h"
+#include "graph/long_drive.h"
 #include "graph/manhattan_world.h"
 #include "graph/online_drive.h"
 #include "graph/solve_account.h"
@@ -29,6 +31,7 @@ struct Arguments {
   int repetitions{5};
   SolveAccount account;  ///< as far as another program has written it
   ManhattanConfig manhattan;
+  LongDriveConfig hours;
 };
 
 void declareGuess(CLI::App& command, Arguments& arguments) {
@@ -87,6 +90,18 @@ void declareWriters(CLI::App& app, Arguments& arguments) {
   }
 }
 
+void declareHours(CLI::App& app, LongDriveConfig& hours) {
+  CLI::App& command = *app.add_subcommand(
+      "hours", "drives in the same streets for hours; prints a row (CSV) for each");
+  command.add_option("--keyframes", hours.keyframes)->check(CLI::PositiveNumber);
+  command.add_option("--per-hour", hours.keyframes_an_hour, "keyframes")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--keyframes-per-place", hours.back_end.thinning.nodes_per_place)
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
 void printRow(const SolveAccount& account) {
   fmt::print("{}\n{}\n", accountHead(), accountRow(account));
 }
@@ -138,6 +153,11 @@ void run(const CLI::App& app, Arguments& arguments) {
     runOnline(arguments);
   } else if (app.got_subcommand("score")) {
     runScore(arguments);
+  } else if (app.got_subcommand("hours")) {
+    printLongDrive(arguments.hours, [](const std::string& text) {
+      fmt::print("{}", text);
+      std::fflush(stdout);
+    });
   } else if (app.got_subcommand("guess")) {
     graph::GraphFile file = graph::loadGraph(arguments.graph);
     graph::applyGuess(file.graph, graph::guessFromName(arguments.guess));
@@ -158,6 +178,7 @@ int main(int argc, char** argv) {
   omega_slam::experiments::declareOnline(app, arguments);
   omega_slam::experiments::declareScore(app, arguments);
   omega_slam::experiments::declareWriters(app, arguments);
+  omega_slam::experiments::declareHours(app, arguments.hours);
   return omega_slam::experiments::runProgram(app, argc, argv,
                                              [&] { omega_slam::experiments::run(app, arguments); });
 }

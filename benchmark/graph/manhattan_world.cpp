@@ -101,13 +101,15 @@ ManhattanWorld driveManhattan(const ManhattanConfig& config) {
   Meter meter(config, random);
   ManhattanWorld world;
   std::map<Crossing, NodeId> last_visits;
+  int returns = 0;
   for (NodeId node = 0; node < config.poses; ++node) {
     world.truth.push_back(driver.pose());
     if (node > 0) {
       world.graph.constraints.push_back(meter.measure(world.truth, node - 1, node));
     }
     const auto visit = last_visits.find(driver.crossing());
-    if (visit != last_visits.end() && node - visit->second >= kShortestLoop) {
+    const bool is_back = visit != last_visits.end() && node - visit->second >= kShortestLoop;
+    if (is_back && ++returns % config.returns_a_loop == 0) {
       world.graph.constraints.push_back(meter.measure(world.truth, visit->second, node));
     }
     last_visits[driver.crossing()] = node;

@@ -2,36 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "experiments/cpu_timer.h"
+#include "graph/arrivals.h"
 #include "omega_slam/graph/incremental_solver.h"
 
 namespace omega_slam::experiments {
 
 using geometry::Pose2;
 using graph::Constraint;
-using graph::NodeId;
 
 namespace {
-
-/// By the later of their two nodes; the one to the latest of the earlier nodes comes first.
-std::vector<std::vector<Constraint>> constraintsByArrival(const graph::PoseGraph& graph) {
-  std::vector<std::vector<Constraint>> arriving(graph.poses.size());
-  for (const Constraint& constraint : graph.constraints) {
-    arriving[std::max(constraint.from, constraint.to)].push_back(constraint);
-  }
-  for (std::vector<Constraint>& group : arriving) {
-    const auto is_later = [](const Constraint& a, const Constraint& b) {
-      return std::min(a.from, a.to) > std::min(b.from, b.to);
-    };
-    std::stable_sort(group.begin(), group.end(), is_later);
-  }
-  return arriving;
-}
 
 Pose2 guessOf(const graph::PoseGraph& graph, const Constraint& tie) {
   return tie.from < tie.to ? graph.poses[tie.from] * tie.T_from_to
@@ -53,18 +37,14 @@ OnlineDrive playOnline(const graph::PoseGraph& graph) {
   config.solver.limits = {kMaxIterations, kRelativeGain};
   config.solver.kernels.loop.kind = graph::KernelKind::kNone;
   graph::IncrementalSolver solver(config);
-  const auto arriving = constraintsByArrival(graph);
   OnlineDrive drive;
-  for (std::size_t node = 0; node < arriving.size(); ++node) {
-    const auto& group = arriving[node];
-    const auto loops = group.empty() ? group.begin() : std::next(group.begin());
-    const std::vector<Constraint> ties(group.begin(), loops);
-    const Pose2 guess = ties.empty() ? graph.poses[node] : guessOf(solver.graph(), ties.front());
-    const std::vector<Constraint> others(loops, group.end());
+  for (const auto& arrival : arrivalsOf(graph)) {
+    const Pose2 guess = arrival.ties.empty() ? graph.poses[drive.seconds.size()]
+                                             : guessOf(solver.graph(), arrival.ties.front());
     drive.seconds.push_back(secondsOf([&] {
-      solver.addNode(guess, ties);
-      if (!others.empty()) {
-        solver.addConstraints(others);
+      solver.addNode(guess, arrival.ties);
+      if (!arrival.loops.empty()) {
+        solver.addConstraints(arrival.loops);
       }
     }));
   }

@@ -46,6 +46,14 @@ TEST(ManhattanWorld, HasAsManyLoopsAPoseInTownsOfAnySize) {
   }
 }
 
+TEST(ManhattanWorld, RecognisesEveryThirdReturnIfAskedTo) {
+  ManhattanConfig config;
+  config.poses = 1000;
+  const double all = loopsAPose(driveManhattan(config).graph);
+  config.returns_a_loop = 3;
+  EXPECT_NEAR(loopsAPose(driveManhattan(config).graph), all / 3.0, 0.03);
+}
+
 TEST(ManhattanWorld, MeasuresAsWellAsItSays) {
   const ManhattanWorld world = smallTown(3);
   graph::PoseGraph at_truth = world.graph;
