@@ -9,8 +9,11 @@ new_tables() {
   mkdir -p "$TABLES"
 }
 
-# build_experiments JOBS [TARGET...]
+# build_experiments JOBS [TARGET...]: from here on, no other experiments may use the tree.
 build_experiments() {
+  mkdir -p "$EXPERIMENTS_TREE"
+  exec 9>"$EXPERIMENTS_TREE/lock"
+  flock --nonblock 9 || die "Other experiments are running in $EXPERIMENTS_TREE: one at a time."
   configure_tree "$EXPERIMENTS_TREE" -DWITH_ROS=OFF -DBUILD_TESTING=OFF -DBUILD_BENCHMARKS=ON \
     -DCMAKE_BUILD_TYPE=RelWithDebInfo || die 'The experiments could not be configured.'
   build_tree "$EXPERIMENTS_TREE" "$@" || die 'The experiments could not be built.'
