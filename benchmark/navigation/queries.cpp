@@ -70,7 +70,7 @@ std::vector<QueryResult> askForWays(const Course& course, const std::string& pla
     const CpuTimer timer;
     const navigation::Plan plan = navigator.plan(from, to);
     result.milliseconds = 1e3 * timer.seconds();
-    const auto way = oracle.find(from, to);
+    const auto way = oracle.find(from, to).path;
     result.has_way = way.has_value();
     result.shortest = way ? navigation::lengthOf(*way) : 0.0;
     result.found = plan.found();

@@ -21,6 +21,7 @@ void readCostmap(config::ParameterReader reader, navigation::CostmapConfig& cost
 
 void readPlanner(config::ParameterReader reader, navigation::PlannerConfig& planner) {
   reader.read("planner", planner.planner, navigation::plannerNames());
+  reader.read("max_cells", planner.max_cells, {1.0, 1000000000.0});
   reader.read("time_limit", planner.time_limit, {0.0, 60.0});
   reader.read("iterations", planner.iterations, {1.0, 10000000.0});
   reader.read("seed", planner.seed, {1.0, 2147483647.0});

@@ -15,9 +15,10 @@ namespace {
 
 // Localisation and rounding may put a robot that touches a wall a little into it, but not so far
 // that most of it is on the other side.
-constexpr double kDeepest = 0.5;   // share of the radius that must be clear of obstacles
-constexpr double kSlack = 0.03;    // [m] an exit may come nearer to an obstacle than the start is
-constexpr double kFarthest = 1e6;  // [m] farther away, cells can't be counted
+constexpr double kDeepest = 0.5;     // share of the radius that must be clear of obstacles
+constexpr double kSlack = 0.03;      // [m] an exit may come nearer to an obstacle than the start is
+constexpr double kLeaveCost = 10.0;  // of a metre on the way out: the nearest exits are the best
+constexpr double kFarthest = 1e6;    // [m] farther away, cells can't be counted
 
 /// Cell centres about a point, the nearest first.
 std::vector<Eigen::Vector2d> centersAbout(const grid::GridGeometry& geometry,
@@ -55,20 +56,6 @@ bool isCountable(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() < kFarthest;
 }
 
-/// The first of some places, of which there is one at least, that is connected with the goal: what
-/// lies nearest to where a robot does not fit may be a pocket. The first of all if none is.
-Eigen::Vector2d nearestConnected(const std::vector<Eigen::Vector2d>& places,
-                                 const GridSearch& search, const Eigen::Vector2d& goal) {
-  if (places.size() == 1) {
-    return places.front();
-  }
-  const TravelCosts costs = search.costsFrom(goal);
-  const auto connected = std::find_if(places.begin(), places.end(), [&](const auto& place) {
-    return std::isfinite(costs.to(place));
-  });
-  return connected == places.end() ? places.front() : *connected;
-}
-
 }  // namespace
 
 std::vector<std::string> plannerNames() {
@@ -79,6 +66,7 @@ std::vector<std::string> plannerNames() {
 
 std::vector<std::string> PlannerConfig::validate() const {
   geometry::Violations violations;
+  violations.requireAtLeast("max_cells", max_cells, 1.0);
   violations.requireAtLeast("time_limit", time_limit, 0.0);
   violations.requireAtLeast("iterations", iterations, 1.0);
   violations.requireAtLeast("seed", seed, 1.0);
@@ -122,10 +110,12 @@ Plan GlobalPlanner::plan(const Costmap& costmap, const Eigen::Vector2d& start,
   }
   Plan plan = planOnce(costmap, start, goal, goal_tolerance);
   if (plan.status == PlanStatus::kStartBlocked || plan.status == PlanStatus::kGoalTooNarrow ||
-      plan.status == PlanStatus::kNoWay) {
+      plan.status == PlanStatus::kNoWay || plan.status == PlanStatus::kUndecided) {
     Costmap map_alone = costmap;
     map_alone.forgetSeen();
-    plan.passing = planOnce(map_alone, start, goal, goal_tolerance).found();
+    const Plan other = planOnce(map_alone, start, goal, goal_tolerance);
+    plan.passing = other.found();
+    plan.looked += other.looked;
   }
   return plan;
 }
@@ -156,17 +146,33 @@ Plan GlobalPlanner::planOnce(const Costmap& costmap, const Eigen::Vector2d& star
     return refusal(PlanStatus::kStartBlocked,
                    "The robot cannot leave " + text(start) + ", where it does not fit.");
   }
-  const GridSearch search(costmap, cost());
-  const Eigen::Vector2d exit = nearestConnected(exits, search, *end);
-  const auto way = search.find(exit, *end);
-  if (!way) {
-    return refusal(PlanStatus::kNoWay,
-                   "There is no way from " + text(start) + " to " + text(goal) + ".");
+  return planBetween(costmap, start, exits, *end);
+}
+
+Plan GlobalPlanner::planBetween(const Costmap& costmap, const Eigen::Vector2d& start,
+                                const std::vector<Eigen::Vector2d>& exits,
+                                const Eigen::Vector2d& end) const {
+  const GridSearch search(costmap, cost(), static_cast<std::size_t>(config_.max_cells));
+  std::vector<Departure> departures;
+  for (const Eigen::Vector2d& exit : exits) {
+    departures.push_back({exit, kLeaveCost * (exit - start).norm()});
   }
+  const bool fits = exits.front() == start;
+  const SearchOutcome way = fits ? search.find(start, end) : search.findFromAny(departures, end);
   Plan plan;
+  if (!way.path) {
+    plan = way.is_spent ? refusal(PlanStatus::kUndecided,
+                                  fmt::format("No way from {} to {} was found among {} cells.",
+                                              text(start), text(end), way.looked))
+                        : refusal(PlanStatus::kNoWay,
+                                  "There is no way from " + text(start) + " to " + text(end) + ".");
+    plan.looked = way.looked;
+    return plan;
+  }
   plan.status = PlanStatus::kFound;
-  plan.path = improved(costmap, *way);
-  plan.leave = (exit - start).norm();
+  plan.looked = way.looked;
+  plan.path = improved(costmap, *way.path);
+  plan.leave = (plan.path.front() - start).norm();
   if (plan.leave > 0.0) {
     plan.path.insert(plan.path.begin(), start);
   }

@@ -14,6 +14,7 @@ struct PlannerConfig {
   /// "grid": the grid search's path, made straight; or the name of a planner of OMPL, which looks
   /// for a cheaper one near it.
   std::string planner{"grid"};
+  int max_cells{1000000};  ///< that the grid search may go on from, by which its time is bounded
   double time_limit{0.2};  ///< [s] of wall time for OMPL
   int iterations{2000};    ///< of OMPL's planner, after which it ends
   int seed{1};             ///< of OMPL
@@ -39,7 +40,8 @@ enum class PlanStatus {
   kGoalOccupied,   ///< it is in an obstacle
   kGoalUnknown,    ///< what is there is not known
   kGoalTooNarrow,  ///< the robot does not fit there
-  kNoWay           ///< from here to there
+  kNoWay,          ///< from here to there
+  kUndecided       ///< no way was found among as many cells as may be looked at
 };
 
 /// A way, or why there is none.
@@ -49,6 +51,7 @@ struct Plan {
   double leave{0.0};    ///< [m] of the path on which the robot leaves a place where it does not fit
   bool passing{false};  ///< there is none now, but the map would have one: something stands there
   std::string reason;   ///< one sentence, where there is none
+  std::size_t looked{0};  ///< cells that were gone on from to find out, 2 * max_cells at most
 
   [[nodiscard]] bool found() const { return status == PlanStatus::kFound; }
 };
@@ -79,6 +82,10 @@ class GlobalPlanner {
  private:
   [[nodiscard]] Plan planOnce(const Costmap& costmap, const Eigen::Vector2d& start,
                               const Eigen::Vector2d& goal, double goal_tolerance) const;
+  /// @param exits from the start, one at least; @param end where the robot fits
+  [[nodiscard]] Plan planBetween(const Costmap& costmap, const Eigen::Vector2d& start,
+                                 const std::vector<Eigen::Vector2d>& exits,
+                                 const Eigen::Vector2d& end) const;
   [[nodiscard]] std::optional<Eigen::Vector2d> nearestFit(const Costmap& costmap,
                                                           const Eigen::Vector2d& goal,
                                                           double tolerance) const;

@@ -11,7 +11,8 @@ namespace omega_slam::navigation {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kAbout = 2;  // [cells] to where a point may be joined to the grid
+constexpr int kAbout = 2;       // [cells] to where a point may be joined to the grid
+constexpr float kHurry = 4.0F;  // by so much what is left outweighs what is done, in a hurry
 
 struct Step {
   int column;
@@ -49,16 +50,18 @@ struct GridSearch::Field {
   std::vector<std::uint8_t> arrivals;  ///< by which step a cell is reached
   std::vector<float> rates;            ///< cost of a metre at its centre; 0: not looked up yet
   std::priority_queue<Entry> open;
-  std::optional<grid::Cell> goal;
+  grid::Cell goal;
+  float weight{1.0F};  ///< of what is left
 
   [[nodiscard]] float heuristic(const grid::Cell& cell, double resolution) const {
-    return goal ? static_cast<float>(resolution * octileDistance(cell, *goal)) : 0.0F;
+    return weight * static_cast<float>(resolution * octileDistance(cell, goal));
   }
 };
 
-GridSearch::GridSearch(const Costmap& costmap, const ClearanceCost& cost)
+GridSearch::GridSearch(const Costmap& costmap, const ClearanceCost& cost, std::size_t max_looked)
     : costmap_(costmap),
       cost_(cost),
+      max_looked_(max_looked),
       room_(std::hypot(cost.radius, 0.5 * std::sqrt(2.0) * costmap.geometry().resolution)) {}
 
 bool GridSearch::isPassable(const grid::Cell& cell) const {
@@ -81,21 +84,30 @@ std::vector<grid::Cell> GridSearch::cellsAbout(const Eigen::Vector2d& point) con
   return cells;
 }
 
-GridSearch::Field GridSearch::makeField() const {
+std::optional<GridSearch::Field> GridSearch::fieldTowards(const Eigen::Vector2d& to) const {
+  const grid::GridGeometry& geometry = costmap_.geometry();
+  const std::vector<grid::Cell> ends = cellsAbout(to);
+  if (ends.empty()) {
+    return std::nullopt;
+  }
   Field field;
-  field.costs.assign(costmap_.geometry().size(), kInfinity);
-  field.arrivals.assign(costmap_.geometry().size(), kNoStep);
-  field.rates.assign(costmap_.geometry().size(), 0.0F);
+  field.costs.assign(geometry.size(), kInfinity);
+  field.arrivals.assign(geometry.size(), kNoStep);
+  field.rates.assign(geometry.size(), 0.0F);
+  // The nearest of the cells about the goal stands for all.
+  field.goal = *std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
+    return (geometry.center(a) - to).norm() < (geometry.center(b) - to).norm();
+  });
   return field;
 }
 
-void GridSearch::begin(Field& field, const Eigen::Vector2d& from) const {
+void GridSearch::open(Field& field, const grid::Cell& cell, double cost) const {
   const grid::GridGeometry& geometry = costmap_.geometry();
-  for (const grid::Cell& cell : cellsAbout(from)) {
-    const std::size_t index = geometry.index(cell);
-    field.costs[index] = static_cast<float>(cost_.ofLine(costmap_, from, geometry.center(cell)));
-    field.open.push({field.costs[index] + field.heuristic(cell, geometry.resolution),
-                     static_cast<std::uint32_t>(index)});
+  const std::size_t index = geometry.index(cell);
+  if (const auto least = static_cast<float>(cost); least < field.costs[index]) {
+    field.costs[index] = least;
+    field.open.push(
+        {least + field.heuristic(cell, geometry.resolution), static_cast<std::uint32_t>(index)});
   }
 }
 
@@ -130,54 +142,75 @@ void GridSearch::expand(Field& field, std::size_t index) const {
   }
 }
 
-std::optional<Path> GridSearch::find(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+SearchOutcome GridSearch::find(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
   const grid::GridGeometry& geometry = costmap_.geometry();
   if ((to - from).norm() < geometry.resolution && costmap_.isFree(from, to, cost_.radius)) {
-    return Path{from, to};
+    return {Path{from, to}, cost_.ofLine(costmap_, from, to)};
   }
-  const std::vector<grid::Cell> ends = cellsAbout(to);
-  if (ends.empty()) {
-    return std::nullopt;
+  auto field = fieldTowards(to);
+  if (!field) {
+    return {};
   }
-  // The nearest of the cells about the goal stands for all.
-  const grid::Cell end =
-      *std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
-        return (geometry.center(a) - to).norm() < (geometry.center(b) - to).norm();
-      });
-  Field field = makeField();
-  field.goal = end;
-  begin(field, from);
-  run(field);
-  if (field.costs[geometry.index(end)] == kInfinity) {
-    return std::nullopt;
+  for (const grid::Cell& cell : cellsAbout(from)) {
+    open(*field, cell, cost_.ofLine(costmap_, from, geometry.center(cell)));
   }
-  Path path = trace(field, end);
-  path.insert(path.begin(), from);
-  path.push_back(to);
-  return path;
+  SearchOutcome outcome = run(*field, to);
+  if (outcome.path) {
+    outcome.path->insert(outcome.path->begin(), from);
+  }
+  return outcome;
 }
 
-TravelCosts GridSearch::costsFrom(const Eigen::Vector2d& from) const {
-  Field field = makeField();
-  begin(field, from);
-  run(field);
-  return {costmap_.geometry(), std::move(field.costs)};
+SearchOutcome GridSearch::findFromAny(const std::vector<Departure>& departures,
+                                      const Eigen::Vector2d& to) const {
+  auto field = fieldTowards(to);
+  if (!field) {
+    return {};
+  }
+  for (const Departure& departure : departures) {
+    open(*field, costmap_.geometry().cellAt(departure.point), departure.cost);
+  }
+  return run(*field, to);
 }
 
-void GridSearch::run(Field& field) const {
+SearchOutcome GridSearch::run(Field& field, const Eigen::Vector2d& to) const {
   const grid::GridGeometry& geometry = costmap_.geometry();
+  SearchOutcome outcome;
   while (!field.open.empty()) {
     const auto entry = field.open.top();
     const grid::Cell cell = cellOf(geometry, entry.index);
-    if (field.goal && cell == *field.goal) {
-      return;
+    if (cell == field.goal) {
+      outcome.path = trace(field, cell);
+      outcome.path->push_back(to);
+      outcome.cost = field.costs[entry.index] + cost_.ofLine(costmap_, geometry.center(cell), to);
+      return outcome;
+    }
+    if (outcome.looked == max_looked_) {
+      outcome.is_spent = true;
+      return outcome;
     }
     field.open.pop();
     // An entry that is too high was overtaken by a cheaper way to its cell.
     if (entry.estimate <= field.costs[entry.index] + field.heuristic(cell, geometry.resolution)) {
       expand(field, entry.index);
+      if (++outcome.looked == max_looked_ / 2) {
+        hurry(field);
+      }
     }
   }
+  return outcome;
+}
+
+void GridSearch::hurry(Field& field) const {
+  const grid::GridGeometry& geometry = costmap_.geometry();
+  field.weight = kHurry;
+  std::priority_queue<Field::Entry> open;
+  for (; !field.open.empty(); field.open.pop()) {
+    const std::uint32_t index = field.open.top().index;
+    open.push({field.costs[index] + field.heuristic(cellOf(geometry, index), geometry.resolution),
+               index});
+  }
+  field.open = std::move(open);
 }
 
 Path GridSearch::trace(const Field& field, grid::Cell cell) const {

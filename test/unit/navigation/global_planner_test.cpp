@@ -91,6 +91,33 @@ TEST(GlobalPlanner, LeavesTowardsWhereTheGoalIs) {
   EXPECT_GT(plan.leave, 0.9);
 }
 
+/// A hall of 40 by 40 m, with a post beside which a robot barely stands.
+Costmap hallWithPost() {
+  grid::OccupancyGrid map = grid::makeGrid({0.1, {0.0, 0.0}, 400, 400}, grid::kFree);
+  map.at({200, 200}) = grid::kOccupied;
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(map);
+  return costmap;
+}
+
+TEST(GlobalPlanner, LooksNoFartherWhereTheRobotMustLeaveFirst) {
+  const Costmap costmap = hallWithPost();
+  const Plan plan = planFrom({20.25, 20.05}, {23.0, 20.0}, costmap);
+  ASSERT_TRUE(plan.found()) << plan.reason;
+  EXPECT_GT(plan.leave, 0.0);
+  EXPECT_LT(plan.looked, 4000U);  // of 160000
+}
+
+TEST(GlobalPlanner, RefusesWhatItHasNoTimeToDecide) {
+  const Costmap costmap = hallWithPost();
+  PlannerConfig config;
+  config.max_cells = 100;
+  const Plan plan = GlobalPlanner(config, kRadius).plan(costmap, {1.0, 1.0}, {39.0, 38.0});
+  EXPECT_EQ(plan.status, PlanStatus::kUndecided);
+  EXPECT_LE(plan.looked, 200U);
+  EXPECT_NE(plan.reason.find("among 100 cells"), std::string::npos) << plan.reason;
+}
+
 TEST(GlobalPlanner, TellsWhatStandsInTheWayFromWhatIsBuiltThere) {
   Costmap costmap = roomsCostmap();
   Sighting sighting;
