@@ -121,13 +121,24 @@ DistanceField::DistanceField(const GridGeometry& geometry, std::vector<std::uint
 }
 
 double DistanceField::lowerBound(const Eigen::Vector2d& point) const {
-  Cell cell = geometry_.cellAt(point);
-  if (!geometry_.contains(cell)) {
-    if (outside_ == Outside::kObstacle || geometry_.size() == 0) {
-      return outside_ == Outside::kObstacle ? 0.0 : kInfinity;
-    }
-    cell = cell.cwiseMax(0).cwiseMin(Cell(geometry_.width - 1, geometry_.height - 1));
+  const Cell cell = geometry_.cellAt(point);
+  if (geometry_.contains(cell)) {
+    return boundFrom(cell, point);
   }
+  if (outside_ == Outside::kObstacle || geometry_.size() == 0) {
+    return outside_ == Outside::kObstacle ? 0.0 : kInfinity;
+  }
+  // Seen from the nearest point of the edge, whatever is in the grid lies at a right angle or more
+  // from the way out: both ways are the legs of a triangle whose third side is longer than their
+  // hypotenuse.
+  const Eigen::Vector2d size(geometry_.width, geometry_.height);
+  const Eigen::Vector2d edge =
+      point.cwiseMax(geometry_.origin).cwiseMin(geometry_.origin + geometry_.resolution * size);
+  const Cell beside = cell.cwiseMax(0).cwiseMin(Cell(geometry_.width - 1, geometry_.height - 1));
+  return std::hypot((point - edge).norm(), boundFrom(beside, edge));
+}
+
+double DistanceField::boundFrom(const Cell& cell, const Eigen::Vector2d& point) const {
   return std::max(0.0, static_cast<double>(atCell(cell)) - (point - geometry_.center(cell)).norm());
 }
 

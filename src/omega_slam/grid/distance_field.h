@@ -37,7 +37,7 @@ class DistanceField {
   [[nodiscard]] float atCell(const Cell& cell) const { return distances_[geometry_.index(cell)]; }
 
   /// From a point, at least so far [m]; in the grid, at most a cell's diagonal more. Outside of the
-  /// grid 0 where that is an obstacle.
+  /// grid 0 where that is an obstacle; where it is open, never less than to the grid's edge.
   [[nodiscard]] double lowerBound(const Eigen::Vector2d& point) const;
 
   /// From a point, by interpolation between the centres of the cells around it: within a few
@@ -50,6 +50,8 @@ class DistanceField {
   [[nodiscard]] bool isClear(const Eigen::Vector2d& point, double radius) const;
 
  private:
+  /// lowerBound() of a point in a cell or on its edge.
+  [[nodiscard]] double boundFrom(const Cell& cell, const Eigen::Vector2d& point) const;
   [[nodiscard]] bool isClearOfSquares(const Eigen::Vector2d& point, double radius) const;
 
   GridGeometry geometry_;

@@ -38,7 +38,7 @@ std::vector<std::string> CostmapConfig::validate() const {
 }
 
 Costmap::Costmap(const CostmapConfig& config)
-    : config_(checked(config)), live_(kLiveResolution, config.reach) {}
+    : config_(checked(config)), live_(kLiveResolution, config.reach), contacts_(kLiveResolution) {}
 
 void Costmap::setMap(const grid::OccupancyGrid& map) {
   map_ = std::make_shared<grid::OccupancyGrid>(map);
@@ -59,7 +59,17 @@ void Costmap::see(const Sighting& sighting, const Eigen::Vector2d& robot) {
 }
 
 void Costmap::touch(const std::vector<Eigen::Vector2d>& points, double now) {
-  live_.touch(points, now + config_.contact_memory);
+  contacts_.add(points, now + config_.contact_memory);
+}
+
+void Costmap::expire(double now) {
+  live_.expire(now);
+  contacts_.expire(now);
+}
+
+void Costmap::forgetLive() {
+  live_.forget();
+  contacts_.forget();
 }
 
 bool Costmap::isOccupied(const grid::Cell& cell) const {
@@ -72,7 +82,7 @@ bool Costmap::isUnknown(const grid::Cell& cell) const {
 }
 
 bool Costmap::isFree(const Eigen::Vector2d& point, double radius) const {
-  return blocked_ && blocked_->isClear(point, radius) && live_.field().isClear(point, radius);
+  return blocked_ && blocked_->isClear(point, radius) && isFreeOfLive(point, radius);
 }
 
 bool Costmap::isFree(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const {
@@ -93,11 +103,14 @@ bool Costmap::isFree(const Eigen::Vector2d& from, const Eigen::Vector2d& to, dou
 }
 
 double Costmap::clearance(const Eigen::Vector2d& point) const {
-  return blocked_ ? std::min(blocked_->lowerBound(point), live_.field().lowerBound(point)) : 0.0;
+  return blocked_ ? std::min({blocked_->lowerBound(point), live_.field().lowerBound(point),
+                              contacts_.field().lowerBound(point)})
+                  : 0.0;
 }
 
 double Costmap::solidClearance(const Eigen::Vector2d& point) const {
-  const double live = live_.field().interpolated(point);
+  const double live =
+      std::min(live_.field().interpolated(point), contacts_.field().interpolated(point));
   return solid_ ? std::min(solid_->interpolated(point), live) : live;
 }
 

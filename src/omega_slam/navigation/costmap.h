@@ -7,6 +7,7 @@
 
 #include "omega_slam/grid/distance_field.h"
 #include "omega_slam/grid/occupancy_grid.h"
+#include "omega_slam/navigation/contacts.h"
 #include "omega_slam/navigation/live_obstacles.h"
 
 namespace omega_slam::navigation {
@@ -42,9 +43,9 @@ class Costmap {
   void see(const Sighting& sighting, const Eigen::Vector2d& robot);
   /// @param points [m] where the robot touches something, at time `now` [s]
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
-  void expire(double now) { live_.expire(now); }
-  void forgetSeen() { live_.forgetSeen(); }  ///< but not what was touched
-  void forgetLive() { live_.forget(); }
+  void expire(double now);
+  void forgetSeen() { live_.forget(); }  ///< but not what was touched
+  void forgetLive();                     ///< what was touched, too
 
   /// What the map says of a cell. Outside of the map all is unknown; where plans may lead through
   /// unknown cells, none inside of it is.
@@ -57,9 +58,10 @@ class Costmap {
   /// As above for the disc on all of its way from one point to the other, up to a few 0.1 mm.
   [[nodiscard]] bool isFree(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                             double radius) const;
-  /// As isFree() for the centre of a cell of the map, by the map alone.
-  [[nodiscard]] bool isFreeInMap(const grid::Cell& cell, double radius) const {
-    return static_cast<double>(blocked_->atCell(cell)) >= radius;
+  /// As isFree() for the centre of a cell of the map.
+  [[nodiscard]] bool isFree(const grid::Cell& cell, double radius) const {
+    return static_cast<double>(blocked_->atCell(cell)) >= radius &&
+           isFreeOfLive(geometry().center(cell), radius);
   }
 
   /// At least so far [m] is it to what isFree() minds, and at most a cell's diagonal farther.
@@ -67,15 +69,19 @@ class Costmap {
   /// So far [m], to a few millimetres, is it to the next obstacle, unknown cells aside.
   [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const;
 
-  [[nodiscard]] const LiveObstacles& live() const { return live_; }
-
  private:
+  /// Whether a disc touches nothing that was seen or touched.
+  [[nodiscard]] bool isFreeOfLive(const Eigen::Vector2d& point, double radius) const {
+    return live_.field().isClear(point, radius) && contacts_.field().isClear(point, radius);
+  }
+
   CostmapConfig config_;
   // Shared by copies, since they never change.
   std::shared_ptr<const grid::DistanceField> solid_;    ///< to occupied cells
   std::shared_ptr<const grid::DistanceField> blocked_;  ///< to occupied and unknown cells
   std::shared_ptr<const grid::OccupancyGrid> map_;
   LiveObstacles live_;
+  Contacts contacts_;
 };
 
 }  // namespace omega_slam::navigation

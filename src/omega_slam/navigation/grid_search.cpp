@@ -65,8 +65,7 @@ GridSearch::GridSearch(const Costmap& costmap, const ClearanceCost& cost, std::s
       room_(std::hypot(cost.radius, 0.5 * std::sqrt(2.0) * costmap.geometry().resolution)) {}
 
 bool GridSearch::isPassable(const grid::Cell& cell) const {
-  return costmap_.geometry().contains(cell) && costmap_.isFreeInMap(cell, room_) &&
-         costmap_.live().field().isClear(costmap_.geometry().center(cell), room_);
+  return costmap_.geometry().contains(cell) && costmap_.isFree(cell, room_);
 }
 
 std::vector<grid::Cell> GridSearch::cellsAbout(const Eigen::Vector2d& point) const {

@@ -91,15 +91,6 @@ void LiveObstacles::see(const Sighting& sighting, double memory) {
   rebuild();
 }
 
-void LiveObstacles::touch(const std::vector<Eigen::Vector2d>& points, double until) {
-  for (const Eigen::Vector2d& point : points) {
-    if (point.allFinite()) {
-      contacts_.push_back({point, until});
-    }
-  }
-  rebuild();
-}
-
 bool LiveObstacles::drop(double now) {
   bool changed = false;
   for (double& until : until_) {
@@ -108,10 +99,6 @@ bool LiveObstacles::drop(double now) {
       changed = true;
     }
   }
-  const auto old = std::remove_if(contacts_.begin(), contacts_.end(),
-                                  [&](const Contact& contact) { return contact.until <= now; });
-  changed = changed || old != contacts_.end();
-  contacts_.erase(old, contacts_.end());
   return changed;
 }
 
@@ -121,26 +108,15 @@ void LiveObstacles::expire(double now) {
   }
 }
 
-void LiveObstacles::forgetSeen() {
+void LiveObstacles::forget() {
   until_.assign(geometry_.size(), 0.0);
   rebuild();
-}
-
-void LiveObstacles::forget() {
-  contacts_.clear();
-  forgetSeen();
 }
 
 void LiveObstacles::rebuild() {
   std::vector<std::uint8_t> obstacles(geometry_.size());
   std::transform(until_.begin(), until_.end(), obstacles.begin(),
                  [](double until) { return static_cast<std::uint8_t>(until > 0.0 ? 1 : 0); });
-  for (const Contact& contact : contacts_) {
-    const grid::Cell cell = geometry_.cellAt(contact.point);
-    if (geometry_.contains(cell)) {
-      obstacles[geometry_.index(cell)] = 1;
-    }
-  }
   field_ = grid::DistanceField(geometry_, std::move(obstacles), grid::Outside::kOpen);
 }
 

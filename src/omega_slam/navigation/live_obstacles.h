@@ -12,9 +12,7 @@ namespace omega_slam::navigation {
 /// square of cells that moves along with the robot. Times are the caller's: there is no clock here.
 ///
 /// A cell is marked where a beam ends, and free again when a later beam passes through it, or when
-/// nothing has marked it for `memory`. Contacts, where a bumper was pressed, are remembered longer
-/// and beams don't clear them: what the robot bumps into is what its laser can't see.
-/// Not thread-safe.
+/// nothing has marked it for `memory`. Not thread-safe.
 class LiveObstacles {
  public:
   /// @param resolution [m] of the cells; @param reach [m] from the robot to the square's edge
@@ -26,24 +24,15 @@ class LiveObstacles {
   /// @param sighting in the map; @param memory [s] for which a mark lasts without another
   void see(const Sighting& sighting, double memory);
 
-  /// @param points [m] in the map; @param until [s] time at which they are forgotten
-  void touch(const std::vector<Eigen::Vector2d>& points, double until);
-
-  /// Lets time pass: marks and contacts that have lasted long enough are dropped.
+  /// Lets time pass: marks that have lasted long enough are dropped.
   void expire(double now);
 
-  void forgetSeen();  ///< all but the contacts
-  void forget();      ///< all
+  void forget();
 
   /// Distances to all that is remembered. Outside of the square nothing is known, and free.
   [[nodiscard]] const grid::DistanceField& field() const { return field_; }
 
  private:
-  struct Contact {
-    Eigen::Vector2d point;
-    double until;
-  };
-
   [[nodiscard]] grid::GridGeometry squareAbout(const Eigen::Vector2d& point) const;
   [[nodiscard]] Eigen::Vector2d clipped(const Eigen::Vector2d& origin,
                                         const Eigen::Vector2d& end) const;
@@ -54,7 +43,6 @@ class LiveObstacles {
   double reach_;
   grid::GridGeometry geometry_;
   std::vector<double> until_;  ///< [s] a cell: when its mark is dropped; 0: not marked
-  std::vector<Contact> contacts_;
   grid::DistanceField field_;
 };
 

@@ -101,6 +101,31 @@ TEST_P(DistanceFieldProperty, AnswersForPointsAgreeWithTheSquares) {
   }
 }
 
+TEST(DistanceField, KnowsHowFarItIsFromOutside) {
+  for (const std::uint64_t seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    for (int trial = 0; trial < 30; ++trial) {
+      const Obstacles obstacles = randomObstacles(random);
+      const GridGeometry& geometry = obstacles.geometry;
+      const DistanceField field(geometry, obstacles.flags, Outside::kOpen);
+      std::uniform_real_distribution<double> share(-3.0, 4.0);
+      const Eigen::Vector2d size(geometry.width, geometry.height);
+      for (int i = 0; i < 50; ++i) {
+        const Eigen::Vector2d in_grid = size.cwiseProduct(Eigen::Vector2d(share(random), 2.0));
+        const Eigen::Vector2d point = geometry.origin + geometry.resolution * in_grid;
+        const double expected = bruteForce(field, point);
+        if (std::isinf(expected)) {
+          ASSERT_EQ(field.lowerBound(point), expected);
+          continue;
+        }
+        EXPECT_LE(field.lowerBound(point), expected + 1e-6);
+        EXPECT_GE(field.lowerBound(point), geometry.resolution * geometry.height - 1e-6);
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Edges, DistanceFieldProperty,
                          testing::Values(Outside::kOpen, Outside::kObstacle),
                          [](const auto& instance) {

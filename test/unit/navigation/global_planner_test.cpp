@@ -133,6 +133,52 @@ TEST(GlobalPlanner, TellsWhatStandsInTheWayFromWhatIsBuiltThere) {
   EXPECT_TRUE(planFrom({1.0, 1.0}, {4.5, 1.0}, costmap).found());
 }
 
+TEST(GlobalPlanner, LeadsAroundWhatWasTouchedFarAway) {
+  // Two doors, and a pane in the nearer one; the robot is far from both.
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(test::drawnMap({"#########################",  //
+                                 "#                       #",  //
+                                 "#                    ####",  //
+                                 "#                    #  #",  //
+                                 "#                       #",  //
+                                 "#                    #  #",  //
+                                 "#                    #  #",  //
+                                 "#                    #  #",  //
+                                 "#                       #",  //
+                                 "#                    #  #",  //
+                                 "#########################"},
+                                0.05, 10));
+  const Eigen::Vector2d start(1.0, 3.2);
+  const Eigen::Vector2d goal(11.6, 3.2);
+  const auto doorOf = [&](const Plan& plan) {
+    return PathMeasure(plan.path).at(lengthOf(plan.path) - 0.8).y();
+  };
+  EXPECT_GT(doorOf(planFrom(start, goal, costmap)), 2.5);
+  std::vector<Eigen::Vector2d> pane;
+  for (double y = 3.0; y <= 3.5; y += 0.04) {
+    pane.emplace_back(10.75, y);
+  }
+  costmap.touch(pane, 0.0);
+  costmap.forgetSeen();
+  const Plan around = planFrom(start, goal, costmap);
+  ASSERT_TRUE(around.found()) << around.reason;
+  EXPECT_LT(doorOf(around), 2.5);
+  costmap.expire(CostmapConfig{}.contact_memory + 1.0);
+  EXPECT_GT(doorOf(planFrom(start, goal, costmap)), 2.5);
+}
+
+TEST(GlobalPlanner, KeepsOffWallsFarFromWhatItSees) {
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(test::drawnMap({std::string(60, '#'), std::string(60, ' '), std::string(60, ' '),
+                                 std::string(60, ' '), std::string(60, '#')},
+                                0.05, 10));
+  Sighting sighting;
+  sighting.origin = {1.0, 1.25};
+  sighting.returns.emplace_back(1.0, 0.5);
+  costmap.see(sighting, {1.0, 1.25});
+  EXPECT_GT(costmap.clearance({20.0, 1.25}), 0.5);
+}
+
 TEST(GlobalPlanner, RefusesWrongConfigurations) {
   PlannerConfig config;
   config.planner = "crystal ball";
