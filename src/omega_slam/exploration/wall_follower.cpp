@@ -11,8 +11,9 @@ namespace {
 
 using geometry::Pose2;
 
-constexpr double kStep = 0.5;    // [m]
-constexpr double kWayOut = 1.0;  // [m] from a place without room to one with
+constexpr double kStep = 0.5;     // [m]
+constexpr double kWayOut = 1.0;   // [m] from a place without room to one with
+constexpr double kBeside = 0.25;  // [m] nearer than this is as good as there, where robots arrive
 constexpr std::size_t kDirections = 24;
 constexpr double kDirection = 2.0 * geometry::kPi / kDirections;  // [rad]
 
@@ -32,27 +33,35 @@ bool isClear(const StandingRoom& room, const Pose2& from, const Pose2& to) {
   return clear;
 }
 
+/// Where there is room, the pose itself; else the nearest place with room.
+std::optional<Pose2> nearestWithRoom(const StandingRoom& room, const Pose2& pose) {
+  if (room.hasRoomAt(room.geometry().cellAt(pose.translation()) + room.corner())) {
+    return pose;
+  }
+  const auto out = room.nearestRoom(pose.translation(), kWayOut);
+  if (out.empty()) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d place = room.geometry().center(out.front() - room.corner());
+  return Pose2{place.x(), place.y(), pose.theta};
+}
+
 }  // namespace
 
 std::optional<Pose2> WallFollower::next(const StandingRoom& room, const Pose2& T_map_base) {
-  const Cell here = room.geometry().cellAt(T_map_base.translation()) + room.corner();
-  if (!room.hasRoomAt(here)) {
-    const auto out = room.nearestRoom(T_map_base.translation(), kWayOut);
-    if (out.empty()) {
-      return std::nullopt;
-    }
-    const Eigen::Vector2d place = room.geometry().center(out.front() - room.corner());
-    return Pose2{place.x(), place.y(), T_map_base.theta};
+  const auto begin = nearestWithRoom(room, T_map_base);
+  if (!begin || geometry::distance(*begin, T_map_base) > kBeside) {
+    return begin;  // to be driven to first
   }
-  double heading = T_map_base.theta;
+  double heading = begin->theta;
   if (std::uniform_real_distribution<double>(0.0, 1.0)(random_) < switch_probability_) {
     on_the_right_ = !on_the_right_;
     crossing_ = true;
     heading += on_the_right_ ? -geometry::kPi / 2.0 : geometry::kPi / 2.0;
   }
-  const Pose2 straight = stepFrom(T_map_base, heading);
-  crossing_ = crossing_ && isClear(room, T_map_base, straight);
-  return crossing_ ? straight : alongWall(room, T_map_base);
+  const Pose2 straight = stepFrom(*begin, heading);
+  crossing_ = crossing_ && isClear(room, *begin, straight);
+  return crossing_ ? straight : alongWall(room, *begin);
 }
 
 std::optional<Pose2> WallFollower::alongWall(const StandingRoom& room,

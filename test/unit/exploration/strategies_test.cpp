@@ -112,6 +112,25 @@ TEST(WallFollower, KeepsTheWallAtItsSide) {
   }
 }
 
+TEST(WallFollower, GoesRoundTheHallAlthoughTheRobotArrivesBesideItsGoals) {
+  const auto map = test::drawnMap(hall(), 0.05);
+  const MapView view(map);
+  const StandingRoom room(view, 0.2);
+  WallFollower follower(0.0, 1);
+  geometry::Pose2 pose{1.0, 0.4, 0.0};
+  bool was_far = false;
+  bool is_back = false;
+  for (int i = 0; i < 60; ++i) {
+    const auto next = follower.next(room, pose);
+    ASSERT_TRUE(next);
+    // A little nearer to the wall on the right than it was to be, where there is no room any more.
+    pose = *next * geometry::Pose2{0.0, -0.08, 0.0};
+    was_far = was_far || (pose.x > 4.0 && pose.y > 2.0);
+    is_back = is_back || (was_far && pose.x < 1.0 && pose.y < 1.0);
+  }
+  EXPECT_TRUE(is_back);
+}
+
 TEST(WallFollower, ChangesSidesByChance) {
   const auto map = test::drawnMap(hall(), 0.05);
   const MapView view(map);
