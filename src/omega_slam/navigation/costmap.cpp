@@ -55,7 +55,19 @@ void Costmap::setMap(const grid::OccupancyGrid& map) {
 
 void Costmap::see(const Sighting& sighting, const Eigen::Vector2d& robot) {
   live_.center(robot);
-  live_.see(sighting, config_.memory);
+  live_.see(solid_ ? withoutWalls(sighting) : sighting, config_.memory);
+}
+
+Sighting Costmap::withoutWalls(const Sighting& sighting) const {
+  Sighting news;
+  news.stamp = sighting.stamp;
+  news.origin = sighting.origin;
+  news.clear = sighting.clear;
+  for (const Eigen::Vector2d& point : sighting.returns) {
+    const bool is_wall = point.allFinite() && !solid_->isClear(point, geometry().resolution);
+    (is_wall ? news.clear : news.returns).push_back(point);
+  }
+  return news;
 }
 
 void Costmap::touch(const std::vector<Eigen::Vector2d>& points, double now) {

@@ -39,6 +39,8 @@ class Costmap {
   [[nodiscard]] bool hasMap() const { return blocked_ && blocked_->geometry().size() > 0; }
   [[nodiscard]] const grid::GridGeometry& geometry() const { return blocked_->geometry(); }
 
+  /// What is seen within a cell's edge of an obstacle of the map is that obstacle: the laser's
+  /// noise would make doors narrower than they are.
   /// @param sighting in the map's frame; @param robot [m] about which to remember
   void see(const Sighting& sighting, const Eigen::Vector2d& robot);
   /// @param points [m] where the robot touches something, at time `now` [s]
@@ -70,6 +72,7 @@ class Costmap {
   [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const;
 
  private:
+  [[nodiscard]] Sighting withoutWalls(const Sighting& sighting) const;
   /// Whether a disc touches nothing that was seen or touched.
   [[nodiscard]] bool isFreeOfLive(const Eigen::Vector2d& point, double radius) const {
     return live_.field().isClear(point, radius) && contacts_.field().isClear(point, radius);

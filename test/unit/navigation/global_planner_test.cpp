@@ -179,6 +179,33 @@ TEST(GlobalPlanner, KeepsOffWallsFarFromWhatItSees) {
   EXPECT_GT(costmap.clearance({20.0, 1.25}), 0.5);
 }
 
+/// What a noisy laser sees of a door's posts, a little before they are.
+Sighting noisyPosts(double before) {
+  Sighting sighting;
+  sighting.origin = {0.75, 0.75};
+  for (double x = 1.5; x <= 1.75; x += 0.02) {
+    sighting.returns.emplace_back(x, 0.5 + before);
+    sighting.returns.emplace_back(x, 1.0 - before);
+  }
+  return sighting;
+}
+
+TEST(GlobalPlanner, TakesReturnsBesideAWallForTheWall) {
+  const std::vector<std::string> narrow{"#############",  //
+                                        "#     #     #",  //
+                                        "#     #     #",  //
+                                        "#           #",  //
+                                        "#           #",  //
+                                        "#     #     #",  //
+                                        "#############"};
+  Costmap costmap(CostmapConfig{});
+  costmap.setMap(test::drawnMap(narrow, 0.05, 5));
+  costmap.see(noisyPosts(0.03), {0.75, 0.75});
+  EXPECT_TRUE(planFrom({0.75, 0.75}, {2.5, 0.75}, costmap).found());
+  costmap.see(noisyPosts(0.08), {0.75, 0.75});
+  EXPECT_FALSE(planFrom({0.75, 0.75}, {2.5, 0.75}, costmap).found());
+}
+
 TEST(GlobalPlanner, RefusesWrongConfigurations) {
   PlannerConfig config;
   config.planner = "crystal ball";
