@@ -19,6 +19,8 @@ constexpr double kMotion = 0.05;       // [m] and [rad/4], from which the robot 
 constexpr double kNearer = 0.3;        // [m] from which it has come nearer to the goal
 constexpr double kOffPath = 0.35;      // [m] beside its path it needs a new one
 constexpr double kBetter = 0.9;        // share of the old way's cost that a new one must stay below
+constexpr double kDetour = 1.0;        // [m] that a way around something is longer at least
+constexpr int kMostDetours = 5;        // after which detours don't count as coming nearer
 constexpr double kJump = 0.15;         // [m] that a pose leaps when the map is corrected
 constexpr double kSelf = 0.9;  // share of the inscribed radius: what is seen in there is the robot
 
@@ -93,7 +95,8 @@ void Navigator::cancel() {
   reason_.clear();
   follower_.stop();
   recovery_.reset();
-  recovering_ = blocked_ = in_contact_ = false;
+  recovering_ = blocked_ = in_contact_ = on_detour_ = false;
+  detours_ = 0;
 }
 
 NavigatorStep Navigator::finish(NavigationState state, std::string reason) {
@@ -223,28 +226,44 @@ bool Navigator::needsPlan() const {
 bool Navigator::replan(const geometry::Pose2& T_map_base) {
   planned_at_ = now_;
   map_changed_ = false;
-  const bool keeps = !follower_.path().empty() && follower_.offPath() <= kOffPath && restIsFree();
+  const bool is_on_path = !follower_.path().empty() && follower_.offPath() <= kOffPath;
+  const bool keeps = is_on_path && restIsFree();
   Plan plan = planner_.plan(costmap_, T_map_base.translation(), goal_->position);
   if (!plan.found()) {
     refusal_ = plan;
     return keeps;
   }
-  if (keeps) {
-    const PathMeasure& old = follower_.path();
-    Path rest{old.at(follower_.along())};
-    for (double along = follower_.along() + 0.25; along < old.length(); along += 0.25) {
-      rest.push_back(old.at(along));
-    }
-    rest.push_back(old.path().back());
-    const ClearanceCost cost = planner_.cost();
-    if (cost.ofPath(costmap_, plan.path) > kBetter * cost.ofPath(costmap_, rest)) {
-      return true;
-    }
+  const ClearanceCost cost = planner_.cost();
+  // What stood in a shorter way is forgotten before the detour is driven: to turn round then would
+  // be to find it there once more.
+  const bool is_better =
+      !keeps || (!on_detour_ &&
+                 cost.ofPath(costmap_, plan.path) <= kBetter * cost.ofPath(costmap_, restOfPath()));
+  if (is_better) {
+    take(plan, is_on_path && !keeps);
+  }
+  return true;
+}
+
+Path Navigator::restOfPath() const {
+  const PathMeasure& old = follower_.path();
+  Path rest{old.at(follower_.along())};
+  for (double along = follower_.along() + 0.25; along < old.length(); along += 0.25) {
+    rest.push_back(old.at(along));
+  }
+  rest.push_back(old.path().back());
+  return rest;
+}
+
+void Navigator::take(const Plan& plan, bool old_is_blocked) {
+  const double longer = lengthOf(plan.path) - (follower_.path().length() - follower_.along());
+  on_detour_ = old_is_blocked && (on_detour_ || longer > kDetour);
+  if (old_is_blocked && longer > kDetour && ++detours_ <= kMostDetours) {
+    least_left_ = std::numeric_limits<double>::infinity();  // it comes nearer on this way now
   }
   refusal_ = {};
   refusal_.leave = plan.leave;
   follower_.follow(plan.path, goal_->heading);
-  return true;
 }
 
 NavigatorStep Navigator::drive(const geometry::Pose2& T_map_base, double dt) {

@@ -121,6 +121,9 @@ class Navigator {
   /// Whether there is a path to follow now; if not, the reason is in refusal_.
   [[nodiscard]] bool replan(const geometry::Pose2& T_map_base);
   [[nodiscard]] bool restIsFree() const;
+  [[nodiscard]] Path restOfPath() const;
+  /// Begins to follow a plan that takes the place of one that is no longer free, if there was one.
+  void take(const Plan& plan, bool old_is_blocked);
   void noteProgress(const geometry::Pose2& T_map_base, double left);
   void noteJump(const geometry::Pose2& T_map_base, double dt);
   [[nodiscard]] motion::Twist2 presentVelocity(const motion::Twist2& measured, double dt) const;
@@ -140,7 +143,9 @@ class Navigator {
   bool map_changed_{false};
   bool in_contact_{false};
   bool recovering_{false};
-  double turned_{0.0};  ///< [rad] since the stage of recovery began
+  double turned_{0.0};     ///< [rad] since the stage of recovery began
+  bool on_detour_{false};  ///< around what stood in a shorter way, and may be forgotten by now
+  int detours_{0};         ///< that were begun on the way to the goal
 
   double now_{0.0};
   bool stepped_{false};

@@ -196,6 +196,38 @@ TEST(Navigator, TriesAPaneOfGlassTwiceAtMostAndThenKnowsThatThereIsNoWay) {
   EXPECT_EQ(ride.drive(1.0).state, NavigationState::kFailed);
 }
 
+/// A corridor that goes round a block, 3 m wide and 12 m long.
+grid::OccupancyGrid ring() {
+  return test::drawnMap({"############################",  //
+                         "#                          #",  //
+                         "#                          #",  //
+                         "#  ######################  #",  //
+                         "#  ######################  #",  //
+                         "#  ######################  #",  //
+                         "#                          #",  //
+                         "#                          #",  //
+                         "############################"},
+                        0.05, 10);
+}
+
+TEST(Navigator, DrivesTheWholeDetourAlthoughItForgetsWhatItIsFor) {
+  Ride ride;
+  ride.navigator.setMap(ring());
+  ride.pose = {4.0, 1.0, 0.0};
+  ride.navigator.setGoal({{9.0, 1.0}, std::nullopt}, ride.now);
+  NavigatorStep last;
+  for (int i = 0; i < 2000 && ride.navigator.hasGoal(); ++i) {
+    ride.points.clear();
+    const bool is_near = (ride.pose.translation() - Eigen::Vector2d(7.0, 1.0)).norm() < 2.0;
+    for (double y = 0.6; y < 1.5 && is_near; y += 0.04) {
+      ride.points.emplace_back(7.0, y);
+    }
+    last = ride.step();
+  }
+  EXPECT_EQ(last.state, NavigationState::kReached) << last.reason;
+  EXPECT_LT(ride.now, 100.0 + 120.0);
+}
+
 TEST(Navigator, SurvivesTimeThatGoesBackwards) {
   Ride ride;
   ride.navigator.setGoal({{5.0, 1.0}, std::nullopt}, ride.now);
