@@ -71,6 +71,7 @@ Navigator::Navigator(const NavigatorConfig& config, const Footprint& footprint)
 void Navigator::setMap(const grid::OccupancyGrid& map) {
   costmap_.setMap(map);
   map_changed_ = true;
+  on_detour_ = false;  // it may show a shorter way
 }
 
 void Navigator::see(const Sighting& sighting, const geometry::Pose2& T_map_base) {
