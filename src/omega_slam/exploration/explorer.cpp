@@ -17,7 +17,8 @@ using geometry::Pose2;
 constexpr int kContourMargin = 2;    // [cells] a map may be drawn with poses of a moment before
 constexpr double kGoalMoved = 0.1;   // [m] a goal that has moved so far with the map is given anew
 constexpr double kSameMark = 0.02;   // [m] marks of contacts that are nearer are one
-constexpr double kViewMoved = 0.75;  // [m] a frontier that is now better seen from elsewhere
+constexpr double kViewMoved = 0.75;  // [m] a frontier that is now better seen from elsewhere,
+constexpr double kOtherWay = 2.0;    // [m] and from so much farther on by the robot's way
 
 ExplorerConfig checked(const ExplorerConfig& config) {
   if (const auto violations = config.validate(); !violations.empty()) {
@@ -201,8 +202,21 @@ bool Explorer::isWorthwhile(const Survey& survey) const {
     return false;
   }
   const auto option = survey.optionFor(found->second, set_aside_.triedFor(found->second.centroid));
-  return option &&
-         geometry::distance(option->viewpoint.T_map_base, goal_->T_map_base) <= kViewMoved;
+  return option && isStillTheBest(option->viewpoint, found->second, survey);
+}
+
+bool Explorer::isStillTheBest(const Viewpoint& other, const Frontier& frontier,
+                              const Survey& survey) const {
+  const Eigen::Vector2d place = goal_->T_map_base.translation();
+  const Eigen::Vector2d other_place = other.T_map_base.translation();
+  if ((place - other_place).norm() <= kViewMoved) {
+    return true;
+  }
+  // A viewpoint that moves on along the way is followed. To one that can only be reached by another
+  // way the robot would turn round, and might again soon: that must be worth it.
+  const auto left = survey.travelTo(place);
+  return left && *left <= other.travel + kViewMoved &&
+         survey.travelBetween(other_place, place) > kOtherWay && survey.isSeenFrom(frontier, place);
 }
 
 std::vector<Option> Explorer::optionsNow(const Survey& survey, double now) const {

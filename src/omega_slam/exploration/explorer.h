@@ -115,6 +115,8 @@ class Explorer {
   void judgeGoal(double now);
   void watchApproach(const Survey& survey, double now);
   [[nodiscard]] bool isWorthwhile(const Survey& survey) const;
+  [[nodiscard]] bool isStillTheBest(const Viewpoint& other, const Frontier& frontier,
+                                    const Survey& survey) const;
   [[nodiscard]] std::vector<Option> optionsNow(const Survey& survey, double now) const;
   [[nodiscard]] std::vector<Option> optionsAtAll(const Survey& survey, double now);
   [[nodiscard]] bool isInArea(const Eigen::Vector2d& point) const;

@@ -75,6 +75,20 @@ std::optional<Option> Survey::optionFor(const Frontier& frontier,
   return Option{frontier.id, *viewpoint, expectedGain(view_, place, sensor_range_), turn};
 }
 
+bool Survey::isSeenFrom(const Frontier& frontier, const Eigen::Vector2d& place) const {
+  const Cell from = view_.cellAt(place);
+  return std::any_of(frontier.cells.begin(), frontier.cells.end(), [&](const Cell& cell) {
+    return (view_.center(cell) - place).norm() <= std::min(kViewDistance, sensor_range_) &&
+           isInSight(view_, from, cell);
+  });
+}
+
+double Survey::travelBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  return TravelField(room_, from, kSnap)
+      .distanceTo(view_.cellAt(to))
+      .value_or(std::numeric_limits<double>::infinity());
+}
+
 std::vector<double> Survey::travelBetween(const Option& from, const std::vector<Option>& to) const {
   const TravelField field(room_, from.viewpoint.T_map_base.translation(), kSnap);
   std::vector<double> lengths;

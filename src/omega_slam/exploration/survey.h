@@ -26,6 +26,13 @@ class Survey {
   [[nodiscard]] std::optional<Option> optionFor(const Frontier& frontier,
                                                 const std::vector<Eigen::Vector2d>& tried) const;
 
+  /// Whether a cell of a frontier is in sight from a place [m], from no farther than viewpoints
+  /// are.
+  [[nodiscard]] bool isSeenFrom(const Frontier& frontier, const Eigen::Vector2d& place) const;
+
+  /// [m] from one place to another; infinity where there is no way.
+  [[nodiscard]] double travelBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
   /// [m] from one option's viewpoint to those of all; infinity where there is no way.
   [[nodiscard]] std::vector<double> travelBetween(const Option& from,
                                                   const std::vector<Option>& to) const;

@@ -84,6 +84,42 @@ TEST(Explorer, DoesNothingBeforeItIsStarted) {
   EXPECT_FALSE(explorer.resume().success);
 }
 
+/// A wall of 20 m with a gap of so many cells, from which a frontier runs along its far side.
+/// Two ways lead past a block to its two ends.
+std::shared_ptr<const grid::OccupancyGrid> longFrontier(int first_row, int last_row) {
+  auto map = std::make_shared<grid::OccupancyGrid>(
+      grid::makeGrid({0.1, {0.0, 0.0}, 60, 100}, grid::kFree));
+  for (int row = 0; row < 100; ++row) {
+    for (int column = 0; column < 60; ++column) {
+      const bool is_edge = row == 0 || row == 99 || column == 0;
+      const bool is_block = column >= 20 && column < 50 && row >= 10 && row < 90;
+      const bool is_comb = column >= 50 && row == 50;  // nobody passes along the frontier
+      if (is_edge || is_block || is_comb) {
+        map->at({column, row}) = grid::kOccupied;
+      }
+    }
+    const bool is_frontier = row >= first_row && row <= last_row;
+    map->at({59, row}) = is_frontier ? grid::kUnknown : grid::kOccupied;
+    map->at({58, row}) = is_frontier && row == 50 ? grid::kUnknown : map->at({58, row});
+  }
+  return map;
+}
+
+TEST(Explorer, TurnsRoundForTheSameFrontierOnlyIfItIsWorthIt) {
+  Explorer explorer(configOf("nearest_to_robot"));
+  (void)explorer.start();
+  explorer.showMap(longFrontier(30, 66));
+  const Order first = explorer.update(0.0, Pose2{1.0, 4.5, 0.0});
+  ASSERT_EQ(first.kind, Order::Kind::kGo);
+  EXPECT_LT(first.goal.T_map_base.y, 5.0);
+  explorer.showMap(longFrontier(36, 74));  // now its middle is on the other side
+  EXPECT_EQ(explorer.update(2.0, Pose2{1.0, 4.4, 0.0}).kind, Order::Kind::kKeepOn);
+  explorer.showMap(longFrontier(66, 80));  // and here nothing is left of it
+  const Order last = explorer.update(4.0, Pose2{1.0, 4.3, 0.0});
+  ASSERT_EQ(last.kind, Order::Kind::kGo);
+  EXPECT_GT(last.goal.T_map_base.y, 5.0);
+}
+
 TEST(Explorer, PausesAndGoesOn) {
   UnderWay run;
   ASSERT_TRUE(run.explorer.goal());
