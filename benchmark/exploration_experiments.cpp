@@ -14,6 +14,7 @@
 #include "experiments/program.h"
 #include "exploration/exploration_run.h"
 #include "exploration/place.h"
+#include "exploration/watchman_bound.h"
 #include "omega_slam/exploration/strategy_factory.h"
 #include "omega_slam/simulation/turtlebot.h"
 
@@ -29,6 +30,7 @@ struct Arguments {
   int first_seed{1};
   double patience{3600.0};
   bool random_starts{false};
+  bool bound{false};
   std::string out;
 };
 
@@ -43,7 +45,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
   app.add_option("--patience", arguments.patience, "[s] simulated, of a run")
       ->capture_default_str();
-  app.add_flag("--random-starts", arguments.random_starts, "begin elsewhere with each seed");
+  app.add_flag("--random-starts", arguments.random_starts, "begin elsewhere with each seed but 1");
+  app.add_flag("--bound", arguments.bound, "write the least length of a way that sees all, too");
   app.add_option("--out", arguments.out, "folder for the tables and pictures")->required();
 }
 
@@ -57,21 +60,23 @@ class Tables {
  public:
   explicit Tables(const std::filesystem::path& folder, const std::string& world)
       : runs_(folder / ("runs_" + world + ".csv"),
-              "world,strategy,seed,ended,ending,time,distance,explored_time,explored_distance,"
+              "world,strategy,seed,elsewhere,ended,ending,time,distance,explored_time,explored_"
+              "distance,"
               "coverage,from_home,collisions,unseen,goals,explorer_cpu,navigator_cpu,area"),
         samples_(folder / ("coverage_" + world + ".csv"), "strategy,seed,time,distance,coverage"),
         paths_(folder / ("paths_" + world + ".csv"), "strategy,seed,x,y"),
         goals_(folder / ("goals_" + world + ".csv"), "strategy,seed,time,x,y,size,fate"),
         contacts_(folder / ("contacts_" + world + ".csv"), "strategy,seed,time,x,y,theta,unseen") {}
 
-  void add(const std::string& world, const std::string& strategy, int seed, double area,
-           const RunOutcome& run) {
+  void add(const std::string& world, const std::string& strategy, int seed, bool elsewhere,
+           double area, const RunOutcome& run) {
     const auto number = static_cast<std::size_t>(seed);
     runs_.row(std::string_view(world), std::string_view(strategy), number,
-              std::size_t{run.ended ? 1U : 0U}, std::string_view(toString(run.ending)),
-              run.end.time, run.end.distance, run.explored_time, run.explored_distance,
-              run.end.coverage, run.from_home, run.contacts.size(), unseenOf(run), run.goals.size(),
-              run.explorer_cpu, run.navigator_cpu, area);
+              std::size_t{elsewhere ? 1U : 0U}, std::size_t{run.ended ? 1U : 0U},
+              std::string_view(toString(run.ending)), run.end.time, run.end.distance,
+              run.explored_time, run.explored_distance, run.end.coverage, run.from_home,
+              run.contacts.size(), unseenOf(run), run.goals.size(), run.explorer_cpu,
+              run.navigator_cpu, area);
     for (const RunSample& sample : run.samples) {
       samples_.row(std::string_view(strategy), number, sample.time, sample.distance,
                    sample.coverage);
@@ -98,6 +103,19 @@ class Tables {
   CsvFile contacts_;
 };
 
+void writeBound(const Arguments& arguments, const std::string& name, const Place& place,
+                double radius, double range) {
+  const WatchmanBound bound =
+      watchmanBound(*place.world, place.T_world_start.translation(), radius, range);
+  CsvFile table(std::filesystem::path(arguments.out) / ("bound_" + name + ".csv"),
+                "world,length,witnesses");
+  table.row(std::string_view(name), bound.length, bound.witnesses.size());
+  CsvFile witnesses(std::filesystem::path(arguments.out) / ("witnesses_" + name + ".csv"), "x,y");
+  for (const Eigen::Vector2d& witness : bound.witnesses) {
+    witnesses.row(witness.x(), witness.y());
+  }
+}
+
 void run(const Arguments& arguments) {
   const Place place = loadPlace(arguments.world);
   const std::string name = arguments.name.empty()
@@ -109,6 +127,9 @@ void run(const Arguments& arguments) {
   const double range = simulation::HokuyoConfig().range_max;
   const Seeable seeable(*place.world, place.T_world_start.translation(),
                         footprint.circumscribed_radius, range);
+  if (arguments.bound) {
+    writeBound(arguments, name, place, footprint.circumscribed_radius, range);
+  }
   Tables tables(arguments.out, name);
   for (int seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
     for (const std::string& strategy : arguments.strategies) {
@@ -117,11 +138,12 @@ void run(const Arguments& arguments) {
                      arguments.patience};
       setup.explorer.strategy = strategy;
       setup.explorer.seed = seed;
-      if (arguments.random_starts) {
+      const bool elsewhere = arguments.random_starts && seed != 1;
+      if (elsewhere) {
         setup.T_world_start = randomStart(place, footprint.circumscribed_radius, setup.seed);
       }
       const RunOutcome outcome = explore(setup);
-      tables.add(name, strategy, seed, seeable.area(), outcome);
+      tables.add(name, strategy, seed, elsewhere, seeable.area(), outcome);
       const std::string stem = fmt::format("{}_{}_{}", name, strategy, seed);
       (void)grid::saveMap(outcome.map, std::filesystem::path(arguments.out) / "maps" / stem);
       fmt::print(

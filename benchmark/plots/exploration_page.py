@@ -18,22 +18,51 @@ def runSection(results):
             'RelWithDebInfo.\n')
 
 
+def boundOf(results, world):
+    """[m] Least length of a way that sees all; None if nobody reckoned it."""
+    return results.table('bound', world)[0]['length'] if results.has('bound', world) else None
+
+
+def ratioTo(nearest, rows):
+    """Of the mean times, over the seeds that both have."""
+    seeds = {row['seed'] for row in nearest} & {row['seed'] for row in rows}
+    if not seeds:
+        return None
+    times = [meanOf([row for row in group if row['seed'] in seeds], 'time')
+             for group in (rows, nearest)]
+    return times[0] / times[1]
+
+
+def boundsSection(results):
+    table = []
+    for world in results.worlds():
+        if (bound := boundOf(results, world)) is not None:
+            places = results.table('bound', world)[0]['witnesses']
+            shortest = min(results.runs(world), key=lambda row: row['distance'])
+            table.append([world, f'{bound:.0f}', f'{places:.0f}', f'{shortest["distance"]:.0f}',
+                          f'{shortest["distance"] / bound:.1f}'])
+    return table and markdownTable(
+        ['world', 'bound (m)', 'places', 'shortest run (m)', 'to bound'], table)
+
+
 def strategiesSection(results):
     table = []
     for world in results.worlds():
-        nearest = results.runs(world, 'nearest_to_robot')
+        bound = boundOf(results, world)
         for strategy in strategiesOf(results.runs(world)):
             rows = results.runs(world, strategy)
-            ratio = meanOf(rows, 'time') / meanOf(nearest, 'time') if nearest else None
+            ratio = ratioTo(results.runs(world, 'nearest_to_robot'), rows)
             table.append([
                 world, STRATEGIES[strategy][0], len(rows), f'{meanOf(rows, "explored_time"):.0f}',
                 f'{meanOf(rows, "explored_distance"):.0f}', f'{meanOf(rows, "time"):.0f}',
                 f'{meanOf(rows, "distance"):.0f}', percent(meanOf(rows, 'coverage'), 2),
                 '-' if ratio is None else f'{ratio:.2f}',
+                '-' if bound is None else f'{meanOf(rows, "distance") / bound:.1f}',
                 f'{PAPER[strategy]:.0f}' if world == 'swarmlab' and strategy in PAPER else ''])
     return table and markdownTable(
         ['world', 'strategy', 'runs', 'explored (s)', 'explored (m)', 'home again (s)',
-         'home again (m)', 'coverage', 'time to nearest to robot', 'paper (s)'], table)
+         'home again (m)', 'coverage', 'time to nearest to robot', 'way to bound',
+         'paper (s)'], table)
 
 
 def robustnessSection(results):
@@ -76,6 +105,6 @@ def detectorsSection(results):
 def sectionsOf(results):
     """Name in the page -> table."""
     sections = {'run': runSection(results), 'strategies': strategiesSection(results),
-                'robustness': robustnessSection(results), 'processor': processorSection(results),
+                'bounds': boundsSection(results), 'robustness': robustnessSection(results), 'processor': processorSection(results),
                 'detectors': detectorsSection(results)}
     return {name: text for name, text in sections.items() if text}

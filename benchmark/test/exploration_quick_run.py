@@ -32,7 +32,7 @@ def drawRooms(folder):
 
 def explore(program, world, out):
     subprocess.run([program, world, '--urdf', SOURCE / 'urdf/turtlebot2.urdf', '--strategies',
-                    'tour', '--out', out], check=True)
+                    'tour', '--bound', '--out', out], check=True)
     (row,) = readTable(out / 'runs_rooms.csv')
     return row
 
@@ -54,6 +54,8 @@ def main():
         subprocess.run([sys.executable, SOURCE / 'benchmark/plots/report_exploration.py', '--page',
                         page, '--out', out], check=True)
         assert '| rooms | tour | 1 |' in (out / page.name).read_text(encoding='utf-8')
+        (bound,) = readTable(out / 'exploration/bound_rooms.csv')
+        assert 0.0 < bound['length'] < run['distance'], (bound, run)
         assert (out / 'exploration/paths_rooms.png').stat().st_size > 5000
 
 

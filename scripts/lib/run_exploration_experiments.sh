@@ -27,7 +27,8 @@ run_exploration_experiments() {
   for name in "${!EXPLORED_WORLDS[@]}"; do
     while (($(jobs -rp | wc -l) >= jobs)); do wait -n || failed=true; done
     "$EXPERIMENTS_TREE/benchmark/exploration_experiments" "${EXPLORED_WORLDS[$name]}" \
-      --urdf "$OMEGA_SLAM_ROOT/urdf/turtlebot2.urdf" --name "$name" --seeds "$runs" --strategies "$strategies" --out "$TABLES" &
+      --urdf "$OMEGA_SLAM_ROOT/urdf/turtlebot2.urdf" --name "$name" --seeds "$runs" --random-starts \
+      --strategies "$strategies" --bound --out "$TABLES" &
     processes+=($!)
   done
   for process in "${processes[@]}"; do wait "$process" || failed=true; done
