@@ -19,8 +19,9 @@ def runSection(results):
 
 
 def boundOf(results, world):
-    """[m] Least length of a way that sees all; None if nobody reckoned it."""
-    return results.table('bound', world)[0]['length'] if results.has('bound', world) else None
+    """[m] Least length of a way that sees all; None if unknown, or nothing."""
+    has_bound = results.has('bound', world)
+    return results.table('bound', world)[0]['length'] or None if has_bound else None
 
 
 def ratioTo(nearest, rows):
@@ -31,6 +32,11 @@ def ratioTo(nearest, rows):
     times = [meanOf([row for row in group if row['seed'] in seeds], 'time')
              for group in (rows, nearest)]
     return times[0] / times[1]
+
+
+def explored(rows, key):
+    """Mean up to when nothing was left to see; a run that was cut off has no such time."""
+    return f'{meanOf(rows, key):.0f}' if all(row['explored_time'] > 0.0 for row in rows) else '-'
 
 
 def boundsSection(results):
@@ -53,8 +59,8 @@ def strategiesSection(results):
             rows = results.runs(world, strategy)
             ratio = ratioTo(results.runs(world, 'nearest_to_robot'), rows)
             table.append([
-                world, STRATEGIES[strategy][0], len(rows), f'{meanOf(rows, "explored_time"):.0f}',
-                f'{meanOf(rows, "explored_distance"):.0f}', f'{meanOf(rows, "time"):.0f}',
+                world, STRATEGIES[strategy][0], len(rows), explored(rows, 'explored_time'),
+                explored(rows, 'explored_distance'), f'{meanOf(rows, "time"):.0f}',
                 f'{meanOf(rows, "distance"):.0f}', percent(meanOf(rows, 'coverage'), 2),
                 '-' if ratio is None else f'{ratio:.2f}',
                 '-' if bound is None else f'{meanOf(rows, "distance") / bound:.1f}',
