@@ -1,12 +1,13 @@
 #include "omega_slam/graph/path_uncertainty.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
-#include <tuple>
+#include <utility>
 
 #include "omega_slam/geometry/covariance.h"
 
@@ -52,30 +53,21 @@ Steps stepsOf(const PoseGraph& graph) {
   return all;
 }
 
-/// Covariances in the axes of `to`, and what they cost a path.
-struct Price {
+/// What a constraint costs a path.
+double costOf(const Constraint& constraint) {
+  const Eigen::Matrix3d& information = constraint.information;
   Eigen::Matrix3d covariance;
-  double cost{kInfinity};
-};
-
-std::vector<Price> pricesOf(const PoseGraph& graph) {
-  std::vector<Price> prices(graph.constraints.size());
-  for (std::size_t k = 0; k < prices.size(); ++k) {
-    const Eigen::Matrix3d& information = graph.constraints[k].information;
-    if (information.determinant() > kLeastDeterminant) {
-      Price& price = prices[k];
-      price.covariance = information.inverse();
-      const double turn = price.covariance(2, 2);
-      price.cost = price.covariance.topLeftCorner<2, 2>().trace() + kArm * kArm * turn;
-    }
-  }
-  return prices;
+  bool is_invertible = false;
+  information.computeInverseWithCheck(covariance, is_invertible, kLeastDeterminant);
+  return is_invertible ? covariance(0, 0) + covariance(1, 1) + kArm * kArm * covariance(2, 2)
+                       : kInfinity;
 }
 
 /// The covariance of a constraint as that of the step from one of its nodes to the other, in the
 /// axes of the first.
 Eigen::Matrix3d covarianceOfStep(const PoseGraph& graph, const Constraint& constraint,
-                                 const Eigen::Matrix3d& covariance, NodeId first) {
+                                 NodeId first) {
+  const Eigen::Matrix3d covariance = constraint.information.inverse();
   if (first == constraint.from) {
     return geometry::rotateCovariance(covariance, constraint.T_from_to.theta);
   }
@@ -90,52 +82,73 @@ Eigen::Matrix3d covarianceOfStep(const PoseGraph& graph, const Constraint& const
 }  // namespace
 
 PathUncertainty::PathUncertainty(const PoseGraph& graph, NodeId root)
-    : hops_(graph.poses.size(), -1), covariances_(graph.poses.size(), Eigen::Matrix3d::Zero()) {
+    : graph_(graph),
+      T_root_graph_(graph.poses[root].inverse()),
+      hops_(graph.poses.size(), -1),
+      arrivals_(graph.poses.size()),
+      covariances_(graph.poses.size()),
+      is_compounded_(graph.poses.size(), false) {
   const Steps all = stepsOf(graph);
-  const std::vector<Price> prices = pricesOf(graph);
-  // Cost, node, constraint that leads there and node that it comes from.
-  using Path = std::tuple<double, NodeId, std::size_t, NodeId>;
+  using Path = std::pair<double, NodeId>;  // its cost, and where it leads
   std::priority_queue<Path, std::vector<Path>, std::greater<>> open;
   std::vector<double> least(graph.poses.size(), kInfinity);
   least[root] = 0.0;
-  open.emplace(0.0, root, 0, root);
+  open.emplace(0.0, root);
   while (!open.empty()) {
-    const auto [cost, node, by, before] = open.top();
+    const auto [cost, node] = open.top();
     open.pop();
     if (hops_[node] >= 0) {
       continue;
     }
-    hops_[node] = node == root ? 0 : hops_[before] + 1;
-    if (node != root) {
-      const Eigen::Matrix3d step =
-          covarianceOfStep(graph, graph.constraints[by], prices[by].covariance, before);
-      covariances_[node] = geometry::composeCovariance(
-          relativePose(graph.poses[root], graph.poses[before]), covariances_[before],
-          relativePose(graph.poses[before], graph.poses[node]), step);
-    }
+    hops_[node] = node == root ? 0 : hops_[arrivals_[node].before] + 1;
     for (std::size_t s = all.begin[node]; s < all.begin[node + 1]; ++s) {
       const Step& step = all.steps[s];
-      const double total = cost + prices[step.constraint].cost;
+      if (hops_[step.node] >= 0) {
+        continue;
+      }
+      const double total = cost + costOf(graph.constraints[step.constraint]);
       if (total < least[step.node]) {
         least[step.node] = total;
-        open.emplace(total, step.node, step.constraint, node);
+        arrivals_[step.node] = {node, step.constraint};
+        open.emplace(total, step.node);
       }
     }
   }
+  covariances_[root].setZero();
+  is_compounded_[root] = true;
 }
 
-double PathUncertainty::placeDeviation(NodeId node) const {
+const Eigen::Matrix3d& PathUncertainty::covariance(NodeId node) {
+  std::vector<NodeId> unknown;  // the way back to what is known
+  for (NodeId at = node; !is_compounded_[at]; at = arrivals_[at].before) {
+    unknown.push_back(at);
+  }
+  std::for_each(unknown.rbegin(), unknown.rend(), [this](NodeId at) { compound(at); });
+  return covariances_[node];
+}
+
+/// @param node that the one before it on its path is known of
+void PathUncertainty::compound(NodeId node) {
+  const auto [before, constraint] = arrivals_[node];
+  const std::vector<Pose2>& poses = graph_.poses;
+  covariances_[node] = geometry::composeCovariance(
+      T_root_graph_ * poses[before], covariances_[before], relativePose(poses[before], poses[node]),
+      covarianceOfStep(graph_, graph_.constraints[constraint], before));
+  is_compounded_[node] = true;
+}
+
+double PathUncertainty::placeDeviation(NodeId node) {
   if (!reaches(node)) {
     return kInfinity;
   }
-  const Eigen::Matrix3d& covariance = covariances_[node];
-  const double mean = 0.5 * (covariance(0, 0) + covariance(1, 1));
-  const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
-  return std::sqrt(mean + std::hypot(half, covariance(0, 1)));
+  const Eigen::Matrix3d& known = covariance(node);
+  const double mean = 0.5 * (known(0, 0) + known(1, 1));
+  const double half = 0.5 * (known(0, 0) - known(1, 1));
+  return std::sqrt(mean + std::hypot(half, known(0, 1)));
 }
 
-double PathUncertainty::headingDeviation(NodeId node) const {
-  return reaches(node) ? std::sqrt(covariances_[node](2, 2)) : kInfinity;
+double PathUncertainty::headingDeviation(NodeId node) {
+  return reaches(node) ? std::sqrt(covariance(node)(2, 2)) : kInfinity;
 }
 
 }  // namespace omega_slam::graph

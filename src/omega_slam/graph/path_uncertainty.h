@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
+#include <cstddef>
 #include <vector>
 
+#include "omega_slam/geometry/pose2.h"
 #include "omega_slam/graph/pose_graph.h"
 
 namespace omega_slam::graph {
@@ -15,11 +16,14 @@ namespace omega_slam::graph {
 /// environments using the Atlas framework", IJRR 23, section 4.1).
 ///
 /// Deviation: paths are compared by a sum over their constraints, the variance of the translation
-/// and that of the rotation at an arm of 2 m; covariances are compounded along the winners only.
-/// O((n + m) log n).
+/// and that of the rotation at an arm of 2 m; covariances are compounded along the winners only,
+/// and only for the nodes that are asked for. O((n + m) log n), and O(n) for all answers together.
+///
+/// Not thread-safe: answers are kept.
 class PathUncertainty {
  public:
-  /// @param graph solved; constraints that say too little to be inverted lead nowhere
+  /// @param graph solved; must outlive this. Constraints that say too little to be inverted lead
+  /// nowhere
   /// @param root a node of it
   PathUncertainty(const PoseGraph& graph, NodeId root);
 
@@ -28,15 +32,27 @@ class PathUncertainty {
   [[nodiscard]] int hops(NodeId node) const { return hops_[node]; }
   /// Of `T_root_node`, (x, y, theta) in the axes of the root [m^2, m rad, rad^2]; only where it
   /// reaches.
-  [[nodiscard]] const Eigen::Matrix3d& covariance(NodeId node) const { return covariances_[node]; }
+  [[nodiscard]] const Eigen::Matrix3d& covariance(NodeId node);
   /// [m] of the place, along the axis that is known least; infinite where there is no path.
-  [[nodiscard]] double placeDeviation(NodeId node) const;
+  [[nodiscard]] double placeDeviation(NodeId node);
   /// [rad] likewise
-  [[nodiscard]] double headingDeviation(NodeId node) const;
+  [[nodiscard]] double headingDeviation(NodeId node);
 
  private:
+  /// How a path comes to a node.
+  struct Arrival {
+    NodeId before{0};
+    std::size_t constraint{0};
+  };
+
+  void compound(NodeId node);
+
+  const PoseGraph& graph_;
+  geometry::Pose2 T_root_graph_;
   std::vector<int> hops_;
+  std::vector<Arrival> arrivals_;
   std::vector<Eigen::Matrix3d> covariances_;
+  std::vector<bool> is_compounded_;
 };
 
 }  // namespace omega_slam::graph

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/validation.h"
@@ -12,7 +16,8 @@ using geometry::Pose2;
 
 namespace {
 
-/// Which nodes are where others are.
+/// Which nodes are where others are. They are found by the square that they lie in, as wide as a
+/// place.
 class Places {
  public:
   Places(const PoseGraph& graph, const ThinningConfig& config) : graph_(graph), config_(config) {
@@ -23,6 +28,7 @@ class Places {
     for (NodeId node = 0; node < is_tied.size(); ++node) {
       if (is_tied[node]) {
         tied_.push_back(node);
+        nodes_[squareOf(graph.poses[node])].push_back(node);
       }
     }
   }
@@ -41,18 +47,34 @@ class Places {
 
   /// Whether there are enough later nodes where a node is.
   [[nodiscard]] bool isCrowded(NodeId node) const {
-    int later_here = 0;
-    for (auto other = std::upper_bound(tied_.begin(), tied_.end(), node); other != tied_.end();
-         ++other) {
-      later_here += isAt(graph_.poses[node], graph_.poses[*other]) ? 1 : 0;
-      if (later_here >= config_.nodes_per_place) {
-        return true;
+    const auto [column, row] = squareOf(graph_.poses[node]);
+    std::ptrdiff_t later_here = 0;
+    for (const double x : {column - 1.0, column, column + 1.0}) {
+      for (const double y : {row - 1.0, row, row + 1.0}) {
+        later_here += laterIn({x, y}, node);
       }
     }
-    return false;
+    return later_here >= config_.nodes_per_place;
   }
 
  private:
+  using Square = std::pair<double, double>;
+
+  [[nodiscard]] Square squareOf(const Pose2& pose) const {
+    return {std::floor(pose.x / config_.spacing), std::floor(pose.y / config_.spacing)};
+  }
+
+  [[nodiscard]] std::ptrdiff_t laterIn(const Square& square, NodeId node) const {
+    const auto found = nodes_.find(square);
+    if (found == nodes_.end()) {
+      return 0;
+    }
+    const std::vector<NodeId>& here = found->second;  // in their order
+    return std::count_if(
+        std::upper_bound(here.begin(), here.end(), node), here.end(),
+        [&](NodeId other) { return isAt(graph_.poses[node], graph_.poses[other]); });
+  }
+
   [[nodiscard]] bool isAt(const Pose2& pose, const Pose2& other) const {
     return geometry::distance(pose, other) < config_.spacing &&
            std::abs(geometry::angleDifference(pose.theta, other.theta)) < config_.turn;
@@ -61,6 +83,7 @@ class Places {
   const PoseGraph& graph_;
   const ThinningConfig& config_;
   std::vector<NodeId> tied_;  ///< ascending
+  std::map<Square, std::vector<NodeId>> nodes_;
 };
 
 }  // namespace

@@ -79,15 +79,15 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const graph::PoseGraph& gr
 /// Earlier keyframes worth a match with `id`, those first of which most would be learnt.
 std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
                                                           const graph::PoseGraph& graph) const {
-  const graph::PathUncertainty known(graph, id);
+  graph::PathUncertainty known(graph, id);
   const auto separation = static_cast<NodeId>(config_.min_separation);
   std::vector<Candidate> all;
   for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
-    if (!known.reaches(earlier)) {
-      continue;  // it has retired, and newer ones have seen its place
+    const double way = distance(graph.poses[earlier], graph.poses[id]);
+    if (way > config_.search_radius + config_.max_window.translation || !known.reaches(earlier)) {
+      continue;  // what is not reached has retired, and newer ones have seen its place
     }
     const double deviation = known.placeDeviation(earlier);
-    const double way = distance(graph.poses[earlier], graph.poses[id]);
     const double span = std::min(kDeviations * deviation, config_.max_window.translation);
     if (!(way - span <= config_.search_radius && deviation >= config_.min_deviation)) {
       continue;

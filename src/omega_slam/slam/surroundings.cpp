@@ -93,13 +93,15 @@ Pose2 Surroundings::believe(const graph::PoseGraph& graph) {
 
 /// Those to be drawn, in their order.
 std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId newest) const {
-  const graph::PathUncertainty known(graph, newest);
+  graph::PathUncertainty known(graph, newest);
+  const auto isSure = [&](NodeId id) {
+    return known.placeDeviation(id) <= config_.max_deviation &&
+           known.headingDeviation(id) <= config_.max_deviation;
+  };
   std::vector<std::pair<double, NodeId>> near;
-  for (NodeId id = 0; id <= newest; ++id) {
+  for (NodeId id = 0; id + kTail <= newest; ++id) {
     const double way = distance(graph.poses[id], graph.poses[newest]);
-    const bool is_sure = known.placeDeviation(id) <= config_.max_deviation &&
-                         known.headingDeviation(id) <= config_.max_deviation;
-    if (newest - id >= kTail && is_sure && way <= config_.radius) {
+    if (way <= config_.radius && isSure(id)) {
       near.emplace_back(way, id);
     }
   }

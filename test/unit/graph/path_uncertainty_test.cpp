@@ -21,7 +21,8 @@ std::vector<Pose2> straight(int nodes) {
 }
 
 TEST(PathUncertainty, TheRootIsKnown) {
-  const PathUncertainty known(test::chainOf(straight(3), 0.1), 1);
+  const PoseGraph graph = test::chainOf(straight(3), 0.1);
+  PathUncertainty known(graph, 1);
   EXPECT_EQ(known.hops(1), 0);
   EXPECT_EQ(known.placeDeviation(1), 0.0);
   EXPECT_EQ(known.headingDeviation(1), 0.0);
@@ -29,7 +30,8 @@ TEST(PathUncertainty, TheRootIsKnown) {
 
 TEST(PathUncertainty, GrowsAlongAChainAsTheTextbookCompounds) {
   const double deviation = 0.1;
-  const PathUncertainty known(test::chainOf(straight(3), deviation), 0);
+  const PoseGraph graph = test::chainOf(straight(3), deviation);
+  PathUncertainty known(graph, 0);
   EXPECT_EQ(known.hops(2), 2);
   EXPECT_NEAR(known.headingDeviation(2), deviation * std::sqrt(2.0), 1e-12);
   // Along the way the two steps add up; across it the first one's turn moves the second metre too.
@@ -42,8 +44,8 @@ TEST(PathUncertainty, TheWayBackIsAsUncertainAsTheWayThere) {
   auto poses = straight(2);
   poses[1].theta = 0.7;
   const PoseGraph graph = test::chainOf(poses, 0.1);
-  const PathUncertainty there(graph, 0);
-  const PathUncertainty back(graph, 1);
+  PathUncertainty there(graph, 0);
+  PathUncertainty back(graph, 1);
   // An inverse's covariance is that of the pose, seen from the other end: as large where a turn
   // does not move it.
   EXPECT_NEAR(back.headingDeviation(0), there.headingDeviation(1), 1e-12);
@@ -59,7 +61,7 @@ TEST(PathUncertainty, ALoopIsAShortCut) {
   loop.T_from_to = relativePose(graph.poses[0], graph.poses[29]);
   loop.information = Eigen::Matrix3d::Identity() / (0.05 * 0.05);
   graph.constraints.push_back(loop);
-  const PathUncertainty known(graph, 0);
+  PathUncertainty known(graph, 0);
   EXPECT_GT(by_chain, 1.0);
   EXPECT_NEAR(known.placeDeviation(29), 0.05, 1e-12);
   EXPECT_EQ(known.hops(29), 1);
@@ -68,7 +70,7 @@ TEST(PathUncertainty, ALoopIsAShortCut) {
 TEST(PathUncertainty, WhatIsNotTiedIsNotReached) {
   PoseGraph graph = test::chainOf(straight(3), 0.1);
   graph.constraints[1].information.setZero();  // says nothing
-  const PathUncertainty known(graph, 0);
+  PathUncertainty known(graph, 0);
   EXPECT_TRUE(known.reaches(1));
   EXPECT_FALSE(known.reaches(2));
   EXPECT_TRUE(std::isinf(known.placeDeviation(2)));
