@@ -20,6 +20,9 @@ constexpr NodeId kTail = 20;
 /// What is seen between keyframes is drawn after so much motion.
 constexpr double kGlanceSpacing = 0.03;  // [m], [rad]
 
+/// What was seen so many keyframes ago is not drawn anew: keyframes have by then said the same.
+constexpr NodeId kGlanceTail = 3;
+
 /// What is drawn may bend by so much before it is drawn anew: half the width of a wall.
 constexpr double kBendTranslation = 0.03;  // [m]
 constexpr double kBendRotation = 0.01;     // [rad]
@@ -60,7 +63,7 @@ void Surroundings::addGlance(const matching::View& view, const Pose2& T_local_ba
   }
   (void)map_.insert(view, T_local_base);
   glances_.push_back({keyframe, T_keyframe_base, view});
-  while (glances_.front().keyframe + kTail < keyframe) {
+  while (glances_.front().keyframe + kGlanceTail < keyframe) {
     glances_.pop_front();
   }
 }
