@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -37,12 +38,18 @@ Eigen::AlignedBox2d boxAround(const View& view) {
   return box;
 }
 
+/// @param size [bytes] above 0
+bool isZero(const void* memory, std::size_t size) {
+  const auto* const bytes = static_cast<const unsigned char*>(memory);
+  return bytes[0] == 0 && std::memcmp(bytes, bytes + 1, size - 1) == 0;  // each is as the next
+}
+
 /// The cells of one grid as those of another, as far as that has them inside of its border.
 /// @param from of the same resolution; its cells coincide with those of the other
 template <typename CellType>
-std::vector<CellType> movedTo(const grid::GridGeometry& to, const grid::GridGeometry& from,
-                              const std::vector<CellType>& cells, int border) {
-  std::vector<CellType> moved(to.size());
+ZeroedCells<CellType> movedTo(const grid::GridGeometry& to, const grid::GridGeometry& from,
+                              const ZeroedCells<CellType>& cells, int border) {
+  ZeroedCells<CellType> moved(to.size());
   const Eigen::Vector2d way = (from.origin - to.origin) / to.resolution;
   const grid::Cell shift = way.array().round().cast<int>();
   const grid::Cell low = shift.cwiseMax(border);
@@ -52,9 +59,11 @@ std::vector<CellType> movedTo(const grid::GridGeometry& to, const grid::GridGeom
     return moved;
   }
   for (int row = low.y(); row < high.y(); ++row) {
-    const std::size_t begin = from.index(grid::Cell(low.x(), row) - shift);
-    std::copy_n(cells.begin() + static_cast<std::ptrdiff_t>(begin), high.x() - low.x(),
-                moved.begin() + static_cast<std::ptrdiff_t>(to.index({low.x(), row})));
+    const CellType* const begin = &cells[from.index(grid::Cell(low.x(), row) - shift)];
+    const std::size_t bytes = static_cast<std::size_t>(high.x() - low.x()) * sizeof(CellType);
+    if (!isZero(begin, bytes)) {
+      std::memcpy(&moved[to.index({low.x(), row})], begin, bytes);
+    }
   }
   return moved;
 }
@@ -267,7 +276,7 @@ void LocalMap::drawBeam(const Eigen::Vector2d& laser, const Eigen::Vector2d& end
   const std::int64_t width = grids_.front().geometry.width;
   const std::int64_t along_stride = major == 0 ? 1 : width;
   const std::int64_t across_stride = major == 0 ? width : 1;
-  Evidence* const cells = evidence_.data();
+  Evidence* const cells = evidence_.begin();
   const std::uint16_t number = number_;
   for (int along = first; along != last; along += step, place += rise) {
     const std::int64_t across = place >> 32;

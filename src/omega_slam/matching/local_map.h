@@ -12,6 +12,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/grid/grid_geometry.h"
 #include "omega_slam/matching/scan_matcher.h"
+#include "omega_slam/matching/zeroed_cells.h"
 
 namespace omega_slam::matching {
 
@@ -28,7 +29,7 @@ struct ValueGrid {
   static constexpr double kMost = 255.0;  ///< certainly occupied
 
   grid::GridGeometry geometry;
-  std::vector<std::uint8_t> values;  ///< 0 where free or unknown; so are the border cells
+  ZeroedCells<std::uint8_t> values;  ///< 0 where free or unknown; so are the border cells
 };
 
 /// What the views of a laser say of the robot's surroundings: occupancy at several resolutions
@@ -84,8 +85,8 @@ class LocalMap {
 
  private:
   struct Evidence {
-    std::int16_t odds{0};    ///< log odds of being occupied
-    std::uint16_t claim{0};  ///< number of the view that changed the cell last
+    std::int16_t odds;    ///< log odds of being occupied
+    std::uint16_t claim;  ///< number of the view that changed the cell last
   };
   using Box = Eigen::AlignedBox2d;
 
@@ -103,7 +104,7 @@ class LocalMap {
   std::array<std::uint8_t, 64> values_by_odds_{};
   Reference recent_views_;
   std::vector<ValueGrid> grids_;
-  std::vector<Evidence> evidence_;  ///< of the finest grid
+  ZeroedCells<Evidence> evidence_;  ///< of the finest grid
   Box drawable_;                    ///< [m] the window: what lies outside is not drawn
   std::uint16_t number_{0};         ///< of the newest view
 };

@@ -1,9 +1,11 @@
 #include "omega_slam/matching/map_evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace omega_slam::matching {
@@ -40,6 +42,10 @@ struct Neighbourhood {
 
   /// @param values of the cells of row y, from column begin to before column end
   void addRow(const std::uint8_t* values, int row, int begin, int end) {
+    constexpr std::array<std::uint8_t, 2 * kAround> kFree{};
+    if (end - begin == 2 * kAround && std::memcmp(values, kFree.data(), kFree.size()) == 0) {
+      return;  // as most are
+    }
     int cells = 0;
     int sum = 0;
     int first = 0;
