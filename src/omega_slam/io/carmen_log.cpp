@@ -1,11 +1,12 @@
 #include "omega_slam/io/carmen_log.h"
 
 #include <fmt/format.h>
+#include <locale.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,6 +22,13 @@ using geometry::kPi;
 struct BadLine {
   std::string why;
 };
+
+/// In which numbers have a point, wherever the program runs. (A stream of the classic locale reads
+/// them at a third of the speed, and a long log is little else.)
+locale_t plainLocale() {
+  static const locale_t locale = ::newlocale(LC_ALL_MASK, "C", static_cast<locale_t>(nullptr));
+  return locale;
+}
 
 /// Walks over the fields of one message.
 class Fields {
@@ -40,17 +48,15 @@ class Fields {
 
   /// NaN if the word is no number.
   double anyNumber(const char* what) {
-    const std::string word_read(word(what));
-    if (const auto special = infinite(word_read); special != 0.0) {
+    word_.assign(word(what));
+    if (const auto special = infinite(word_); special != 0.0) {
       return special;
     }
-    converter_.clear();
-    converter_.str(word_read);
-    double value = 0.0;
-    converter_ >> value;
-    const bool whole =
-        !converter_.fail() && converter_.peek() == std::istringstream::traits_type::eof();
-    return whole ? value : std::numeric_limits<double>::quiet_NaN();
+    // Of what strtod takes, a log has no hexadecimal numbers and no words.
+    char* end = nullptr;
+    const bool is_plain = word_.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    const double value = ::strtod_l(word_.c_str(), &end, plainLocale());
+    return is_plain && *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
   }
 
   double number(const char* what) {
@@ -86,12 +92,7 @@ class Fields {
   }
 
   std::string_view rest_;
-  /// Reads a decimal point wherever the program runs.
-  std::istringstream converter_ = [] {
-    std::istringstream stream;
-    stream.imbue(std::locale::classic());
-    return stream;
-  }();
+  std::string word_;
 };
 
 std::vector<float> readRanges(Fields& fields, std::size_t count, double no_return_range) {
