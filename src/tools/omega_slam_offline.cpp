@@ -173,7 +173,24 @@ std::vector<std::string> notesOn(const Account& account, const slam::Pipeline& p
   return notes;
 }
 
-void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const Account& account,
+/// What a trajectory is scored with.
+struct Truth {
+  std::vector<graph::Relation> relations;
+  geometry::Trajectory odometry;
+};
+
+/// @return none where no relations were given
+std::optional<Truth> readTruth(const Arguments& arguments) {
+  if (arguments.relations.empty()) {
+    return std::nullopt;
+  }
+  return Truth{io::readRelations(arguments.relations), arguments.odometry.empty()
+                                                           ? geometry::Trajectory{}
+                                                           : io::readOdometry(arguments.odometry)};
+}
+
+void describe(const Arguments& arguments, const std::optional<Truth>& truth,
+              const slam::Pipeline& pipeline, const Account& account,
               const graph::SolveReport& solved, results::RunResults& results) {
   evaluation::Report& report = results.report;
   report.input = std::filesystem::path(arguments.input).filename().string();
@@ -191,11 +208,9 @@ void describe(const Arguments& arguments, const slam::Pipeline& pipeline, const 
   report.chi_square = solved.chi_square;
   report.map = results.map.geometry;
   report.notes = notesOn(account, pipeline, solved);
-  if (!arguments.relations.empty()) {
-    const auto odometry =
-        arguments.odometry.empty() ? geometry::Trajectory{} : io::readOdometry(arguments.odometry);
-    report.relations = evaluation::scoreRelations(results.estimate,
-                                                  io::readRelations(arguments.relations), odometry);
+  if (truth) {
+    report.relations =
+        evaluation::scoreRelations(results.estimate, truth->relations, truth->odometry);
   }
 }
 
@@ -235,6 +250,7 @@ void printSummary(const Arguments& arguments, const results::RunResults& results
 int run(const Arguments& arguments) {
   const config::SlamConfig config =
       arguments.config.empty() ? config::SlamConfig{} : config::loadSlamConfig(arguments.config);
+  const auto truth = readTruth(arguments);  // before the long work
   const auto source = openSource(arguments);
   fmt::print(stderr, "{}: {}\n", arguments.input, source->description());
   const auto start = Clock::now();
@@ -253,7 +269,7 @@ int run(const Arguments& arguments) {
                                  {std::chrono::duration<double>(map_start - solve_start).count()})};
   results.estimate = pipeline.trajectory();
   results.graph = pipeline.graph();
-  describe(arguments, pipeline, account, solved, results);
+  describe(arguments, truth, pipeline, account, solved, results);
   const auto faults = results::writeResults(arguments.out, results);
   for (const std::string& fault : faults) {
     fmt::print(stderr, "omega_slam_offline: {}\n", fault);
