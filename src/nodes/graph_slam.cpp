@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <nav_msgs/Path.h>
 #include <omega_slam/ConstraintArray.h>
 #include <omega_slam/Keyframe.h>
 #include <omega_slam/PoseGraph.h>
@@ -7,7 +6,6 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_broadcaster.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <filesystem>
 #include <mutex>
@@ -15,7 +13,7 @@
 
 #include "nodes/common/conversions.h"
 #include "nodes/common/diagnostics.h"
-#include "nodes/common/graph_markers.h"
+#include "nodes/common/graph_pictures.h"
 #include "nodes/common/graph_worker.h"
 #include "nodes/common/names.h"
 #include "nodes/common/node_config.h"
@@ -40,11 +38,11 @@ class GraphSlamNode {
       : config_(loadConfig<config::GraphSlamNodeConfig>(private_nh)),
         diagnostics_(nh, "graph_slam"),
         graph_publisher_(nh.advertise<PoseGraph>(names::kPoseGraph, 1, true)),
-        trajectory_publisher_(nh.advertise<nav_msgs::Path>(names::kTrajectory, 1, true)),
-        marker_publisher_(
-            nh.advertise<visualization_msgs::MarkerArray>(names::kPoseGraphMarkers, 1, true)),
-        worker_(config_.back_end, diagnostics_,
-                [this](const GraphSnapshotPtr& snapshot) { publish(*snapshot); }) {
+        pictures_(nh, config_.map_frame),
+        worker_(config_.back_end, diagnostics_, [this](const GraphSnapshotPtr& snapshot) {
+          publish(*snapshot);
+          pictures_.show(snapshot);
+        }) {
     diagnostics_.setHealth(diagnostic_msgs::DiagnosticStatus::OK, "waiting for keyframes");
     keyframe_subscriber_ =
         nh.subscribe(names::kKeyframe, names::kKeyframeQueue, &GraphSlamNode::onKeyframe, this);
@@ -93,18 +91,6 @@ class GraphSlamNode {
     message.run = snapshot.run;
     message.chi_square = snapshot.chi_square;
     graph_publisher_.publish(message);
-    marker_publisher_.publish(graphMarkers(snapshot.graph, message.header));
-
-    nav_msgs::Path path;
-    path.header = message.header;
-    for (std::size_t i = 0; i < snapshot.stamps.size(); ++i) {
-      geometry_msgs::PoseStamped pose;
-      pose.header.frame_id = config_.map_frame;
-      pose.header.stamp = snapshot.stamps[i];
-      pose.pose = poseToRos(snapshot.graph.poses[i]);
-      path.poses.push_back(pose);
-    }
-    trajectory_publisher_.publish(path);
   }
 
   void publishTransform(const ros::TimerEvent&) {
@@ -172,8 +158,7 @@ class GraphSlamNode {
   config::GraphSlamNodeConfig config_;
   Diagnostics diagnostics_;
   ros::Publisher graph_publisher_;
-  ros::Publisher trajectory_publisher_;
-  ros::Publisher marker_publisher_;
+  GraphPictures pictures_;
   tf2_ros::TransformBroadcaster broadcaster_;
   std::mutex transform_mutex_;  ///< guards the next three
   ros::Time last_now_;
