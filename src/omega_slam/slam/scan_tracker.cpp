@@ -115,7 +115,10 @@ TrackedScan ScanTracker::track(const matching::LocalMap& map, const matching::Vi
   if (squared > kApart) {
     tracked.has_slipped = fitsBetter(map, scan, tracked.match, predicted.pose);
     if (tracked.has_slipped) {
-      tracked.belief = matched;
+      // The step was wrong by as much as that. What the match does not know, it still does not.
+      const Eigen::Matrix3d slip = innovation * innovation.transpose();
+      tracked.belief = fuse({predicted.pose, predicted.covariance + slip},
+                            {matched.pose, tracked.match.covariance});
       return tracked;
     }
     matched.covariance *= squared / kApart;

@@ -41,8 +41,9 @@ struct TrackedScan {
 /// Neither is believed blindly. The odometry's variances are scaled by a factor that is learnt from
 /// how far predictions and matches disagree. Where the two are too far apart for chance, the scan
 /// itself decides: if it fits the map clearly better where it was matched, the wheels have slipped,
-/// and their step has no say; else the match may as well have been drawn astray, as it is in front
-/// of a bare wall, and counts for as little as makes the two agree.
+/// and their step says little beside what the match is sure of; else the match may as well have
+/// been drawn astray, as it is in front of a bare wall, and counts for as little as makes the two
+/// agree.
 ///
 /// A scan that fits nowhere near is not trusted at all. If the map knows that nothing is where much
 /// of the scan lies, the robot is not where it is believed to be: see recover().
