@@ -67,13 +67,15 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const graph::PoseGraph& gr
   if (id >= keyframes_.size() || id >= graph.poses.size()) {
     return {};
   }
+  std::vector<Constraint> loops;
   for (const Candidate& candidate : candidates(id, graph)) {
-    auto loops = tryCandidate(id, candidate, graph);
-    if (!loops.empty()) {
-      return loops;  // with it, less would be learnt of the others
+    if (!loops.empty() && isWide(candidate.window)) {
+      continue;  // once the first is in the graph, the window will be narrow
     }
+    const auto more = tryCandidate(id, candidate, graph);
+    loops.insert(loops.end(), more.begin(), more.end());
   }
-  return {};
+  return loops;
 }
 
 /// Earlier keyframes worth a match with `id`, those first of which most would be learnt.

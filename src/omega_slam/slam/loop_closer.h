@@ -28,9 +28,9 @@ struct LoopCloserConfig {
 /// Finds places that the robot has been to before. Not thread-safe: one owner calls it.
 ///
 /// Where and how far to look comes from the uncertainty of the graph, not from a fixed radius: a
-/// candidate is any earlier keyframe whose place, within three deviations of what the graph knows
+/// candidate is any earlier keyframe whose place, within two deviations of what the graph knows
 /// of it from here, could be the robot's. Those come first of which most would be learnt. The
-/// window that is searched is three deviations wide.
+/// window that is searched spans two deviations to each side.
 ///
 /// PlaceMatcher says what is to be believed. A loop from a wide window also waits until another
 /// one, from another keyframe, tells the same of where the robot is.
