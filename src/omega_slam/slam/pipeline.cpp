@@ -57,10 +57,13 @@ void Pipeline::addKeyframe(const FrontEndResult& result, ScanOutcome& outcome) {
   keyframes_.push_back(result.keyframe);
   back_end_.addKeyframe(id, result.keyframe->T_odom_base, result.constraints);
   loops_.addKeyframe(result.keyframe);
+  front_end_.believe(graph());  // as the nodes do, which search for loops meanwhile
   const auto loops = loops_.search(id, graph());
   outcome.loops = loops.size();
-  back_end_.addConstraints(loops);
-  front_end_.believe(graph());
+  if (!loops.empty()) {
+    back_end_.addConstraints(loops);
+    front_end_.believe(graph());
+  }
 }
 
 const graph::SolveReport& Pipeline::finish() { return back_end_.solve(); }
