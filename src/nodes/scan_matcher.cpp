@@ -235,7 +235,10 @@ class ScanMatcherNode {
 
   void explainWaiting(const WaitingScan& waiting) {
     if (track_.covers(waiting.scan.stamp, waiting.end)) {
-      diagnostics_.reject("no usable pose of the laser", mountOf(*waiting.message).problem);
+      diagnostics_.reject("no usable pose of the laser",
+                          mountOf(*waiting.message).problem +
+                              " The robot's frame is named by base_frame; laser_pose does without "
+                              "tf.");
       return;
     }
     diagnostics_.reject(
