@@ -37,6 +37,7 @@ class Run:
     speed: float = 3.0  # simulated seconds in a real one, for the recording and the replay
     margin: float = 4.0  # [s] of simulated time recorded beyond the duration, for the end to settle
     patience: float = 150.0  # [s] of real time after which a run has failed
+    clock: int = 200  # [Hz] of simulated time in a replay
 
 
 @dataclasses.dataclass
@@ -115,10 +116,15 @@ def package():
     return pathlib.Path(rospkg.RosPack().get_path('omega_slam'))
 
 
+def worldFile(run):
+    """@return empty where the world is not one of ours"""
+    return package() / 'maps' / f'{run.world}.world.yaml' if run.world else ''
+
+
 def record(run, folder):
     """Runs the demo. @return the bag; the results are in folder/results"""
     folder = pathlib.Path(folder)
-    world = package() / 'maps' / f'{run.world}.world.yaml'
+    world = worldFile(run)
     bag = folder / 'recorded.bag'
     with Ros(folder) as ros:
         core = ros.start('roscore', '-p', str(ros.port))
@@ -152,19 +158,28 @@ def withoutSlam(bag, path):
     return path
 
 
-def replay(run, bag, folder):
-    """Plays a bag through the SLAM nodes; the results are in folder/results."""
+@contextlib.contextmanager
+def replaying(run, bag, folder, launch=()):
+    """While inside, a bag plays through the SLAM nodes; its results will be in folder/results.
+
+    @param launch arguments for slam.launch
+    @return of entering: the Ros that all runs on, and the process that records the results
+    """
     folder = pathlib.Path(folder)
-    world = package() / 'maps' / f'{run.world}.world.yaml'
     with Ros(folder) as ros:
         ros.start('roscore', '-p', str(ros.port))
         ros.waitFor('The master is up', lambda: '/rosout' in ros.nodes())
         subprocess.run(['rosparam', 'set', '/use_sim_time', 'true'], env=ros.environment, check=True)
-        ros.start('roslaunch', 'omega_slam', 'slam.launch')
-        recorder = ros.startRecorder(run, folder / 'results', world)
+        ros.start('roslaunch', 'omega_slam', 'slam.launch', *launch)
+        recorder = ros.startRecorder(run, folder / 'results', worldFile(run))
         ros.waitFor('The nodes are up', lambda: set(NODES) | {'/run_recorder'} <= ros.nodes())
-        ros.start('rosbag', 'play', '--clock', '--hz', '200', '--rate', str(run.speed), '--delay',
-                  '3', str(bag))
+        ros.start('rosbag', 'play', '--clock', '--hz', str(run.clock), '--rate', str(run.speed),
+                  '--delay', '3', str(bag))
+        yield ros, recorder
+
+
+def replay(run, bag, folder):
+    with replaying(run, bag, folder) as (ros, recorder):
         ros.waitFor('The replay ends', lambda: recorder.poll() is not None, run.patience)
 
 
@@ -238,6 +253,20 @@ def bestAlignment(points_a, points_b):
     return T_a_b
 
 
+def differencesOfPoses(poses_a, poses_b):
+    """@return T_a_b as a matrix, and the distances [m] and turns [rad] between poses of one stamp"""
+    stamps = sorted(set(poses_a) & set(poses_b))
+    T_a_b = bestAlignment(numpy.array([poses_a[stamp][:2] for stamp in stamps]),
+                          numpy.array([poses_b[stamp][:2] for stamp in stamps]))
+    distances, turns = [], []
+    for stamp in stamps:
+        a, b = matrix(poses_a[stamp]), T_a_b @ matrix(poses_b[stamp])
+        distances.append(numpy.hypot(*(a[:2, 2] - b[:2, 2])))
+        between = a.T @ b
+        turns.append(abs(numpy.arctan2(between[1, 0], between[0, 0])))
+    return T_a_b, distances, turns
+
+
 def compare(recorded, replayed, duration):
     """
     @param recorded, replayed folders that run_recorder has written
@@ -250,14 +279,7 @@ def compare(recorded, replayed, duration):
     if end - min(poses_a) < 0.9 * duration or len(stamps) < 0.9 * wanted:
         raise RuntimeError(f'Only {len(stamps)} of {wanted} scans until {end:.1f} s are in both '
                            f'runs, which were to last {duration:.0f} s.')
-    T_recorded_replayed = bestAlignment(numpy.array([poses_a[stamp][:2] for stamp in stamps]),
-                                        numpy.array([poses_b[stamp][:2] for stamp in stamps]))
-    distances, turns = [], []
-    for stamp in stamps:
-        a, b = matrix(poses_a[stamp]), T_recorded_replayed @ matrix(poses_b[stamp])
-        distances.append(numpy.hypot(*(a[:2, 2] - b[:2, 2])))
-        between = a.T @ b
-        turns.append(abs(numpy.arctan2(between[1, 0], between[0, 0])))
+    T_recorded_replayed, distances, turns = differencesOfPoses(poses_a, poses_b)
     mismatch, area = compareMaps(recorded, replayed, T_recorded_replayed)
     return Difference(float(numpy.mean(distances)), float(numpy.max(distances)),
                       float(numpy.mean(turns)), float(mismatch), float(area))
