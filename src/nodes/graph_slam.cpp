@@ -28,6 +28,10 @@ namespace {
 /// [s] A clock that goes back by less is one that wavers.
 constexpr double kTimeJump = 1.0;
 
+/// Looks at simulated time for each transform: up to so many times as fast as the wall's it may
+/// run. (A ros::Timer looks a thousand times a second, which is most of what this node would cost.)
+constexpr double kSimulatedTicks = 5.0;
+
 /// Keyframes and constraints in; the solved graph, the trajectory and map -> odom out. The graph
 /// lives in a GraphWorker; callbacks only convert and hand over, so that a long solve delays none.
 class GraphSlamNode {
@@ -52,8 +56,9 @@ class GraphSlamNode {
         private_nh.advertiseService(names::kSaveGraphService, &GraphSlamNode::onSave, this);
     reset_service_ =
         private_nh.advertiseService(names::kResetService, &GraphSlamNode::onReset, this);
-    transform_timer_ = nh.createTimer(ros::Duration(1.0 / config_.transform_rate),
-                                      &GraphSlamNode::publishTransform, this);
+    const double ticks = config_.transform_rate * (ros::Time::isSimTime() ? kSimulatedTicks : 1.0);
+    transform_timer_ =
+        nh.createWallTimer(ros::WallDuration(1.0 / ticks), &GraphSlamNode::publishTransform, this);
   }
 
   void shutdown() { worker_.stop(); }
@@ -93,7 +98,7 @@ class GraphSlamNode {
     graph_publisher_.publish(message);
   }
 
-  void publishTransform(const ros::TimerEvent&) {
+  void publishTransform(const ros::WallTimerEvent&) {
     const std::lock_guard<std::mutex> lock(transform_mutex_);
     const ros::Time now = ros::Time::now();
     const auto snapshot = worker_.snapshot();
@@ -105,8 +110,9 @@ class GraphSlamNode {
     last_now_ = now;
     const ros::Time stamp = now + ros::Duration(config_.transform_tolerance);
     // While simulated time stands still tf has this transform already, and warns of a second one.
+    const double least = ros::Time::isSimTime() ? 0.9 / config_.transform_rate : 0.0;
     if (!snapshot || snapshot->graph.poses.empty() || snapshot->run == ended_run_ || now.isZero() ||
-        stamp <= last_stamp_) {
+        stamp <= last_stamp_ + ros::Duration(least)) {
       return;
     }
     geometry_msgs::TransformStamped transform;
@@ -169,7 +175,7 @@ class GraphSlamNode {
   ros::Subscriber constraint_subscriber_;
   ros::ServiceServer save_service_;
   ros::ServiceServer reset_service_;
-  ros::Timer transform_timer_;
+  ros::WallTimer transform_timer_;
 };
 
 }  // namespace
