@@ -66,7 +66,7 @@ std::vector<std::string> FrontEndConfig::validate() const {
 
 FrontEnd::FrontEnd(const FrontEndConfig& config)
     : config_((geometry::throwIfAny(config.validate()), config)),
-      tracker_(config.matching, config.min_confidence),
+      tracker_(config.matching, config.min_confidence, config.places),
       surroundings_(config.surroundings, config.matching.scan_to_map.map),
       judge_(config.lost_distance),
       relocaliser_(config.places) {}

@@ -62,11 +62,11 @@ Belief fuse(const Belief& predicted, const Belief& matched) {
 
 }  // namespace
 
-ScanTracker::ScanTracker(const matching::MatcherConfig& matching, double min_confidence)
+ScanTracker::ScanTracker(const matching::MatcherConfig& matching, double min_confidence,
+                         const PlaceMatcherConfig& places)
     : min_confidence_(min_confidence),
       match_config_(matching.match),
-      places_({PlaceMatcherConfig{}.min_confidence, PlaceMatcherConfig{}.max_contradiction,
-               matching.match}),
+      places_(places),
       matcher_(matching::makeMatcher(matching)),
       map_matcher_(dynamic_cast<const matching::MapMatcher*>(matcher_.get())) {}
 

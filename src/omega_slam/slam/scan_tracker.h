@@ -49,7 +49,10 @@ struct TrackedScan {
 /// of the scan lies, the robot is not where it is believed to be: see recover().
 class ScanTracker {
  public:
-  ScanTracker(const matching::MatcherConfig& matching, double min_confidence);
+  /// @param min_confidence of a match with the map
+  /// @param places what is asked of a scan that is looked for all around
+  ScanTracker(const matching::MatcherConfig& matching, double min_confidence,
+              const PlaceMatcherConfig& places = {});
 
   /// @param reference what the scan is matched with
   /// @param before where the scan before was taken, `T_map_base`
