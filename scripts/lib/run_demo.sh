@@ -12,6 +12,20 @@ build_demo() {
   build_tree "$DEMO_TREE" "$1" || die 'The demo could not be built.'
 }
 
+source_devel() {
+  set +u # the file uses variables that may not be set
+  source "$DEMO_TREE/devel/setup.bash"
+  set -u
+}
+
+# run_replay FOLDER PROGRAM ARGUMENT...: a program from test/rostest that plays bags, in a folder.
+run_replay() {
+  build_demo "$(default_jobs)"
+  source_devel
+  cd "$1"
+  exec python3 "$OMEGA_SLAM_ROOT/test/rostest/$2" "${@:3}"
+}
+
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
 }
@@ -19,9 +33,7 @@ free_port() {
 # A ROS of our own: the caller's master, names and log folders stay out of it.
 # enter_ros OUT
 enter_ros() {
-  set +u
-  source "$DEMO_TREE/devel/setup.bash"
-  set -u
+  source_devel
   unset ROS_HOSTNAME ROS_NAMESPACE
   export ROS_IP=127.0.0.1 # not by its name, which a bare system may not know
   ROS_MASTER_URI=http://127.0.0.1:$(free_port)

@@ -121,16 +121,26 @@ def worldFile(run):
     return package() / 'maps' / f'{run.world}.world.yaml' if run.world else ''
 
 
+def startSlam(ros, launch=()):
+    """A master, in simulated time, and the SLAM nodes; not waited for.
+
+    @param launch arguments for slam.launch
+    @return the master's process
+    """
+    core = ros.start('roscore', '-p', str(ros.port))
+    ros.waitFor('The master is up', lambda: '/rosout' in ros.nodes())
+    subprocess.run(['rosparam', 'set', '/use_sim_time', 'true'], env=ros.environment, check=True)
+    ros.start('roslaunch', 'omega_slam', 'slam.launch', *launch)
+    return core
+
+
 def record(run, folder):
     """Runs the demo. @return the bag; the results are in folder/results"""
     folder = pathlib.Path(folder)
     world = worldFile(run)
     bag = folder / 'recorded.bag'
     with Ros(folder) as ros:
-        core = ros.start('roscore', '-p', str(ros.port))
-        ros.waitFor('The master is up', lambda: '/rosout' in ros.nodes())
-        subprocess.run(['rosparam', 'set', '/use_sim_time', 'true'], env=ros.environment, check=True)
-        ros.start('roslaunch', 'omega_slam', 'slam.launch')
+        core = startSlam(ros)
         ros.waitFor('The SLAM nodes are up', lambda: set(NODES) <= ros.nodes())
         recorder = ros.startRecorder(run, folder / 'results', world)
         recording = ros.start('rosbag', 'record', '--lz4', '-O', str(bag), *TOPICS)
@@ -167,10 +177,7 @@ def replaying(run, bag, folder, launch=()):
     """
     folder = pathlib.Path(folder)
     with Ros(folder) as ros:
-        ros.start('roscore', '-p', str(ros.port))
-        ros.waitFor('The master is up', lambda: '/rosout' in ros.nodes())
-        subprocess.run(['rosparam', 'set', '/use_sim_time', 'true'], env=ros.environment, check=True)
-        ros.start('roslaunch', 'omega_slam', 'slam.launch', *launch)
+        startSlam(ros, launch)
         recorder = ros.startRecorder(run, folder / 'results', worldFile(run))
         ros.waitFor('The nodes are up', lambda: set(NODES) | {'/run_recorder'} <= ros.nodes())
         ros.start('rosbag', 'play', '--clock', '--hz', str(run.clock), '--rate', str(run.speed),
