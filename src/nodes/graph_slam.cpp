@@ -92,7 +92,7 @@ class GraphSlamNode {
   void publish(const GraphSnapshot& snapshot) {
     PoseGraph message = poseGraphToRos(snapshot.graph, snapshot.stamps, snapshot.beliefs);
     message.header.frame_id = config_.map_frame;
-    message.header.stamp = snapshot.stamps.empty() ? ros::Time(0) : snapshot.stamps.back();
+    message.header.stamp = snapshot.newest();
     message.run = snapshot.run;
     message.chi_square = snapshot.chi_square;
     graph_publisher_.publish(message);
@@ -127,7 +127,7 @@ class GraphSlamNode {
   /// Whether the graph is of a time that is still to come: it was built before the clock was set
   /// back.
   [[nodiscard]] static bool isAhead(const GraphSnapshot& snapshot, const ros::Time& now) {
-    return !snapshot.stamps.empty() && snapshot.stamps.back().toSec() > now.toSec() + kTimeJump;
+    return snapshot.newest().toSec() > now.toSec() + kTimeJump;
   }
 
   bool onSave(SaveGraph::Request& request, SaveGraph::Response& response) {

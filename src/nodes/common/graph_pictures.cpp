@@ -16,7 +16,7 @@ namespace {
 std_msgs::Header headerOf(const GraphSnapshot& snapshot, const std::string& frame) {
   std_msgs::Header header;
   header.frame_id = frame;
-  header.stamp = snapshot.stamps.empty() ? ros::Time(0) : snapshot.stamps.back();
+  header.stamp = snapshot.newest();
   return header;
 }
 

@@ -28,6 +28,9 @@ struct GraphSnapshot {
   geometry::Pose2 T_map_odom;     ///< at the newest keyframe; meaningless without keyframes
   double chi_square{0.0};         ///< of all constraints at these poses
   slam::BeliefAccount beliefs;
+
+  /// Stamp of the newest keyframe; zero without keyframes.
+  [[nodiscard]] ros::Time newest() const { return stamps.empty() ? ros::Time() : stamps.back(); }
 };
 
 using GraphSnapshotPtr = std::shared_ptr<const GraphSnapshot>;
