@@ -31,6 +31,15 @@ LoopCloserConfig smallConfig() {
   return config;
 }
 
+/// One that has the keyframes of these poses.
+LoopCloser closerOf(const LoopCloserConfig& config, const std::vector<Pose2>& poses) {
+  LoopCloser closer(config);
+  for (graph::NodeId id = 0; id < poses.size(); ++id) {
+    closer.addKeyframe(keyframeAt(id, poses[id]));
+  }
+  return closer;
+}
+
 /// Along the room and back to the start; the last pose is believed to be off.
 std::vector<Pose2> thereAndBack() {
   std::vector<Pose2> poses;
@@ -41,11 +50,8 @@ std::vector<Pose2> thereAndBack() {
 }
 
 TEST(LoopCloser, FindsTheFirstVisitFromAPoorGuess) {
-  LoopCloser closer(smallConfig());
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(smallConfig(), truth);
   auto believed = truth;
   believed[8] = believed[8] * Pose2{0.12, -0.1, 0.1};
   const auto loops = closer.search(8, test::chainOf(believed, kDeviation));
@@ -61,22 +67,16 @@ TEST(LoopCloser, FindsTheFirstVisitFromAPoorGuess) {
 TEST(LoopCloser, LooksNeitherAtTheNewestNorBeyondTheRadius) {
   LoopCloserConfig config = smallConfig();
   config.search_radius = 0.01;
-  LoopCloser closer(config);
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(config, truth);
   EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.008)).empty())
       << "nothing so near but neighbours";
   EXPECT_TRUE(closer.search(4, test::chainOf(truth, 0.008)).empty()) << "nothing old enough";
 }
 
 TEST(LoopCloser, KeyframesThatHaveRetiredAreNotSearchedFor) {
-  LoopCloser closer(smallConfig());
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(smallConfig(), truth);
   graph::PoseGraph graph = test::chainOf(truth, kDeviation);
   const auto loops = closer.search(8, graph);
   ASSERT_FALSE(loops.empty());
@@ -97,27 +97,21 @@ TEST(LoopCloser, KeyframesThatHaveRetiredAreNotSearchedFor) {
 TEST(LoopCloser, EachPassThatFitsTiesTheKeyframe) {
   LoopCloserConfig config = smallConfig();
   config.neighbours = 0;
-  LoopCloser closer(config);
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(config, truth);
   const auto loops = closer.search(8, test::chainOf(truth, kDeviation));
   ASSERT_GT(loops.size(), 1U);
   EXPECT_LE(loops.size(), static_cast<std::size_t>(config.max_candidates));
   for (const auto& loop : loops) {
-    const auto error = relativePose(relativePose(truth[loop.from], truth[8]), loop.T_from_to);
-    EXPECT_LT(std::hypot(error.x, error.y), 0.05);
+    const auto gap = test::gapBetween(loop.T_from_to, relativePose(truth[loop.from], truth[8]));
+    EXPECT_LT(gap.translation, 0.05);
     EXPECT_EQ(loop.to, 8U);
   }
 }
 
 TEST(LoopCloser, APlaceThatIsKnownWellNeedsNoLoop) {
-  LoopCloser closer(smallConfig());
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(smallConfig(), truth);
   EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.003)).empty());
   EXPECT_FALSE(closer.search(8, test::chainOf(truth, kDeviation)).empty());
 }
@@ -146,11 +140,8 @@ TEST(LoopCloser, AWideWindowsLoopWaitsForAnotherThatAgrees) {
 }
 
 TEST(LoopCloser, PosesThatDoNotReachTheKeyframeGiveNothing) {
-  LoopCloser closer(smallConfig());
   const auto truth = thereAndBack();
-  for (graph::NodeId id = 0; id < truth.size(); ++id) {
-    closer.addKeyframe(keyframeAt(id, truth[id]));
-  }
+  LoopCloser closer = closerOf(smallConfig(), truth);
   EXPECT_TRUE(closer.search(8, test::chainOf({truth[0], truth[1]}, kDeviation)).empty());
   EXPECT_TRUE(closer.search(99, test::chainOf(truth, kDeviation)).empty());
   closer.reset();
