@@ -9,6 +9,7 @@ find_package(fmt REQUIRED)
 find_package(nanoflann REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
 find_package(Threads REQUIRED)
 
 # SuiteSparse ships no CMake package on the systems we support.
@@ -34,5 +35,5 @@ target_include_directories(omega_slam_dependencies SYSTEM INTERFACE
   ${OMPL_INCLUDE_DIRS} ${URDFDOM_INCLUDE_DIR})
 target_link_libraries(omega_slam_dependencies INTERFACE
   Eigen3::Eigen pcl_registration pcl_search pcl_kdtree pcl_common ${OpenCV_LIBS} yaml-cpp fmt::fmt
-  nanoflann::nanoflann nlohmann_json::nlohmann_json CLI11::CLI11 ${CHOLMOD_LIBRARY} ${OMPL_LIBRARY}
-  ${URDFDOM_LIBRARY} Threads::Threads)
+  nanoflann::nanoflann nlohmann_json::nlohmann_json CLI11::CLI11 PNG::PNG ${CHOLMOD_LIBRARY}
+  ${OMPL_LIBRARY} ${URDFDOM_LIBRARY} Threads::Threads)

@@ -30,6 +30,7 @@ LIBRARY['config'] = set(LIBRARY)
 CONFINED = {
     'PCL': (r'pcl/', {'matching'}),
     'OpenCV': (r'opencv2?/', {'evaluation', 'grid', 'landmarks'}),
+    'libpng': (r'png\.h$', {'grid'}),
     'OMPL': (r'ompl/', {'navigation'}),
     'SuiteSparse': (r'(suitesparse/)?(cholmod|SuiteSparse|amd|umfpack)|Eigen/.*CholmodSupport',
                     {'graph'}),

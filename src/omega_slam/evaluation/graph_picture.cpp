@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "omega_slam/evaluation/map_canvas.h"
 #include "omega_slam/grid/atomic_file.h"
 
 namespace omega_slam::evaluation {
@@ -107,9 +107,7 @@ std::string encodeGraphPicture(const std::vector<GraphPanel>& panels) {
   std::transform(panels.begin(), panels.end(), std::back_inserter(drawn), draw);
   cv::Mat picture;
   cv::hconcat(drawn, picture);
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {bytes.begin(), bytes.end()};
+  return encodePng(picture);
 }
 
 std::string writeGraphPicture(const std::filesystem::path& path,

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "omega_slam/evaluation/cell_mask.h"
+#include "omega_slam/grid/png.h"
 
 namespace omega_slam::evaluation {
 namespace {
@@ -141,9 +141,8 @@ cv::Mat frameMap(const cv::Mat& map, const MapView& view, const std::vector<Lege
 }
 
 std::string encodePng(const cv::Mat& picture) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {bytes.begin(), bytes.end()};
+  return grid::encodePng({picture.cols, picture.rows, grid::PixelFormat::kBlueGreenRed,
+                          picture.data, picture.step[0]});
 }
 
 void requireCells(const grid::GridGeometry& geometry, std::size_t cells) {

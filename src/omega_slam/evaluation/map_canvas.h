@@ -56,6 +56,7 @@ struct LegendEntry {
 [[nodiscard]] cv::Mat frameMap(const cv::Mat& map, const MapView& view,
                                const std::vector<LegendEntry>& legend, const std::string& caption);
 
+/// @param picture of colours
 /// @return the bytes of a PNG; the same picture gives the same bytes
 [[nodiscard]] std::string encodePng(const cv::Mat& picture);
 

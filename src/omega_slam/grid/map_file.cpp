@@ -4,47 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "omega_slam/grid/atomic_file.h"
 #include "omega_slam/grid/map_description.h"
 #include "omega_slam/grid/pgm.h"
-#include "omega_slam/grid/picture.h"
+#include "omega_slam/grid/png.h"
 
 namespace omega_slam::grid {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// PGM by our own reader, which can say what is wrong with a file; the rest by OpenCV, which can't.
-GrayImage decode(const std::string& bytes) {
-  const bool is_pgm = bytes.size() >= 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2');
-  return is_pgm ? decodePgm(bytes) : decodePicture(bytes);
-}
-
-GrayImage readImage(const fs::path& path) {
-  const std::string bytes = readFile(path);
-  try {
-    return decode(bytes);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}.", path.string(), error.what()));
-  }
-}
-
-/// Turns upside down: the first row of an image is its top, of a grid its bottom.
-std::vector<std::uint8_t> flipped(const std::vector<std::uint8_t>& values, int width) {
-  std::vector<std::uint8_t> result;
-  result.reserve(values.size());
-  for (auto end = values.end(); end != values.begin(); end -= width) {
-    result.insert(result.end(), end - width, end);
-  }
-  return result;
-}
-
 std::string encode(const MapImage& map, ImageKind kind) {
   const int width = map.geometry.width;
-  const GrayImage image{width, map.geometry.height, flipped(map.pixels, width),
-                        flipped(map.opacity, width)};
+  const GrayImage image{width, map.geometry.height, upsideDown(map.pixels, width),
+                        upsideDown(map.opacity, width)};
   return kind == ImageKind::kPng
              ? encodePng(image)
              : encodePgm(image, fmt::format("{} m/pix", numberText(map.geometry.resolution)));
@@ -93,17 +67,6 @@ std::string MapFormat::whyNot(bool has_unknown_cells) const {
              ? "the mode scale shows unknown cells by transparent pixels, which a PGM does not "
                "have; a PNG does."
              : "";
-}
-
-MapImage loadMapImage(const fs::path& path) {
-  const MapDescription description = readDescription(path);
-  MapImage map = description.map;
-  const GrayImage image = readImage(path.parent_path() / description.image_name);
-  map.geometry.width = image.width;
-  map.geometry.height = image.height;
-  map.pixels = flipped(image.pixels, image.width);
-  map.opacity = flipped(image.opacity, image.width);
-  return map;
 }
 
 SaveResult saveMap(const OccupancyGrid& map, const fs::path& stem, const MapFormat& format) {

@@ -93,24 +93,4 @@ GrayImage decodePicture(const std::string& bytes) {
   return image;
 }
 
-std::string encodePng(const GrayImage& image) {
-  const bool has_opacity = !image.opacity.empty();
-  cv::Mat picture(image.height, image.width, has_opacity ? CV_8UC4 : CV_8UC1);
-  for (int row = 0; row < image.height; ++row) {
-    for (int col = 0; col < image.width; ++col) {
-      const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(col);
-      const std::uint8_t grey = image.pixels[k];
-      if (has_opacity) {
-        picture.at<cv::Vec4b>(row, col) = {grey, grey, grey, image.opacity[k]};
-      } else {
-        picture.at<std::uint8_t>(row, col) = grey;
-      }
-    }
-  }
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {bytes.begin(), bytes.end()};
-}
-
 }  // namespace omega_slam::grid

@@ -12,8 +12,4 @@ namespace omega_slam::grid {
 /// @throws std::runtime_error with a clause that says what is wrong ("the image is cut off: ...")
 [[nodiscard]] GrayImage decodePicture(const std::string& bytes);
 
-/// Encodes as PNG: grey, or with an alpha channel if the image has an opacity. The same image gives
-/// the same bytes.
-[[nodiscard]] std::string encodePng(const GrayImage& image);
-
 }  // namespace omega_slam::grid

@@ -46,14 +46,5 @@ TEST(Picture, ReadsOtherKindsThanPng) {
   EXPECT_THAT(image.pixels, testing::Each(99));
 }
 
-TEST(Picture, PngComesBackAsItWas) {
-  GrayImage image{3, 2, {0, 1, 2, 253, 254, 255}, {}};
-  EXPECT_EQ(decodePicture(encodePng(image)).pixels, image.pixels);
-  image.opacity = {255, 0, 255, 0, 9, 255};
-  const GrayImage again = decodePicture(encodePng(image));
-  EXPECT_EQ(again.pixels, image.pixels);
-  EXPECT_EQ(again.opacity, image.opacity);
-}
-
 }  // namespace
 }  // namespace omega_slam::grid
