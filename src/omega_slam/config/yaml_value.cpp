@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <regex>
-#include <sstream>
+
+#include "omega_slam/io/plain_text.h"
 
 namespace omega_slam::config {
 namespace {
@@ -76,17 +76,6 @@ std::string quoted(const std::string& text) {
   return '"' + shown + (text.size() > kLongestQuote ? "..." : "") + '"';
 }
 
-/// @pre the text is a decimal number. One too large for a double is infinite.
-double parseDecimal(const std::string& text) {
-  // Not strtod: the user's locale may write 0,5.
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double value = 0.0;
-  stream >> value;
-  const bool overflow = stream.fail() && std::abs(value) > 1.0;
-  return overflow ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
-}
-
 /// C++ writes 1e-06 where YAML 1.1 wants 1.0e-6.
 std::string withYamlExponent(const std::string& text) {
   const std::size_t exponent = text.find('e');
@@ -130,7 +119,7 @@ double numberOf(const YAML::Node& node) {
     const double infinity = std::numeric_limits<double>::infinity();
     return text.front() == '-' ? -infinity : infinity;
   }
-  return parseDecimal(text);
+  return io::parseDecimal(text);
 }
 
 std::string describe(const YAML::Node& node) {
@@ -166,7 +155,7 @@ std::string numberText(double value) {
   }
   for (const int digits : {6, 15, 16}) {
     const std::string text = fmt::format("{:.{}g}", value, digits);
-    if (parseDecimal(text) == value) {
+    if (io::parseDecimal(text) == value) {
       return withYamlExponent(text);
     }
   }

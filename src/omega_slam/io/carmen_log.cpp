@@ -1,17 +1,15 @@
 #include "omega_slam/io/carmen_log.h"
 
 #include <fmt/format.h>
-#include <locale.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/grid/atomic_file.h"
+#include "omega_slam/io/plain_text.h"
 
 namespace omega_slam::io {
 namespace {
@@ -23,40 +21,24 @@ struct BadLine {
   std::string why;
 };
 
-/// In which numbers have a point, wherever the program runs. (A stream of the classic locale reads
-/// them at a third of the speed, and a long log is little else.)
-locale_t plainLocale() {
-  static const locale_t locale = ::newlocale(LC_ALL_MASK, "C", static_cast<locale_t>(nullptr));
-  return locale;
-}
-
 /// Walks over the fields of one message.
 class Fields {
  public:
   explicit Fields(std::string_view line) : rest_(line) {}
 
   std::string_view word(const char* what) {
-    constexpr const char* kBlanks = " \t\r";
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    const std::string_view word = takeWord(rest_);
     if (word.empty()) {
       throw BadLine{fmt::format("{} is missing", what)};
     }
-    rest_.remove_prefix(word.size());
     return word;
   }
 
   /// NaN if the word is no number.
   double anyNumber(const char* what) {
-    word_.assign(word(what));
-    if (const auto special = infinite(word_); special != 0.0) {
-      return special;
-    }
-    // Of what strtod takes, a log has no hexadecimal numbers and no words.
-    char* end = nullptr;
-    const bool is_plain = word_.find_first_not_of("0123456789+-.eE") == std::string::npos;
-    const double value = ::strtod_l(word_.c_str(), &end, plainLocale());
-    return is_plain && *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
+    const std::string_view word = this->word(what);
+    const double special = infinite(word);
+    return special != 0.0 ? special : parseDecimal(word);
   }
 
   double number(const char* what) {
@@ -92,7 +74,6 @@ class Fields {
   }
 
   std::string_view rest_;
-  std::string word_;
 };
 
 std::vector<float> readRanges(Fields& fields, std::size_t count, double no_return_range) {
@@ -151,15 +132,6 @@ CarmenRecord readRobotLaser(Fields fields, const CarmenLogOptions& options) {
   }
   record.scan.stamp = fields.number("the time stamp");
   return record;
-}
-
-template <typename Visitor>
-void forEachLine(std::string_view text, Visitor&& visit) {
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    visit(number, text.substr(0, length));
-    text.remove_prefix(std::min(length + 1, text.size()));
-  }
 }
 
 bool isMessage(std::string_view line, std::string_view tag) {

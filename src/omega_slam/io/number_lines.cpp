@@ -2,42 +2,34 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "omega_slam/grid/atomic_file.h"
+#include "omega_slam/io/plain_text.h"
 
 namespace omega_slam::io {
 namespace {
 
-std::size_t countWords(const std::string& text) {
-  std::istringstream stream(text);
+std::size_t countWords(std::string_view text) {
   std::size_t count = 0;
-  for (std::string word; stream >> word;) {
+  while (!takeWord(text).empty()) {
     ++count;
   }
   return count;
 }
 
 /// @return an empty string, or what is wrong
-std::string parse(const std::string& row, std::size_t count, std::vector<double>& values) {
-  std::istringstream fields(row);
-  fields.imbue(std::locale::classic());
-  double value = 0.0;
-  while (fields >> value) {
-    if (!std::isfinite(value)) {
-      return "a number is not finite";
+std::string parse(std::string_view row, std::size_t count, std::vector<double>& values) {
+  for (auto word = takeWord(row); !word.empty(); word = takeWord(row)) {
+    values.push_back(parseDecimal(word));
+    if (!std::isfinite(values.back())) {
+      return fmt::format("'{}' is not a finite number", word);
     }
-    values.push_back(value);
   }
-  fields.clear();
-  if (std::string word; fields >> word) {
-    return fmt::format("'{}' is not a finite number", word);
-  }
-  if (values.size() != count) {
+  if (!values.empty() && values.size() != count) {
     return fmt::format("{} numbers where {} are expected", values.size(), count);
   }
   return {};
@@ -48,20 +40,18 @@ std::string parse(const std::string& row, std::size_t count, std::vector<double>
 std::vector<NumberLine> readNumberLines(const std::filesystem::path& path,
                                         const std::string& columns) {
   const std::size_t count = countWords(columns);
-  std::istringstream text(grid::readFile(path));
+  const std::string text = grid::readFile(path);
   std::vector<NumberLine> lines;
-  std::string row;
-  for (int number = 1; std::getline(text, row); ++number) {
-    row.erase(std::min(row.find('#'), row.size()));
-    if (row.find_first_not_of(" \t\r") == std::string::npos) {
-      continue;
-    }
-    NumberLine line{number, {}};
-    if (const std::string why = parse(row, count, line.values); !why.empty()) {
+  forEachLine(text, [&](std::size_t number, std::string_view row) {
+    NumberLine line{static_cast<int>(number), {}};
+    const std::string why = parse(row.substr(0, row.find('#')), count, line.values);
+    if (!why.empty()) {
       throw std::runtime_error(fmt::format("{}:{}: {} ({}).", path.string(), number, why, columns));
     }
-    lines.push_back(std::move(line));
-  }
+    if (!line.values.empty()) {
+      lines.push_back(std::move(line));
+    }
+  });
   if (lines.empty()) {
     throw std::runtime_error(fmt::format("{}: no line of numbers is in it.", path.string()));
   }

@@ -4,13 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/grid/atomic_file.h"
+#include "omega_slam/io/plain_text.h"
 
 namespace omega_slam::io {
 namespace {
@@ -33,14 +32,12 @@ struct Reading {
 };
 
 /// Numbers of a line, or why they are no reading.
-std::string parseNumbers(const std::string& line, std::vector<double>& numbers) {
-  std::istringstream fields(line);
-  fields.imbue(std::locale::classic());
-  for (double value = 0.0; fields >> value;) {
-    numbers.push_back(value);
-  }
-  if (!fields.eof()) {
-    return fmt::format("number {} can't be read", numbers.size() + 1);
+std::string parseNumbers(std::string_view line, std::vector<double>& numbers) {
+  for (auto word = takeWord(line); !word.empty(); word = takeWord(line)) {
+    numbers.push_back(parseDecimal(word));
+    if (!std::isfinite(numbers.back())) {
+      return fmt::format("number {} can't be read", numbers.size());
+    }
   }
   if (numbers.size() != kBeforeRanges + kBeams) {
     return fmt::format("{} numbers where {} are expected", numbers.size(), kBeforeRanges + kBeams);
@@ -86,19 +83,18 @@ Pose2 motionBetween(const Reading& before, const Reading& after, const RoverGeom
 
 RoverLog parseRoverLog(std::string_view text, const std::string& name, const RoverGeometry& rover) {
   RoverLog log;
-  std::istringstream lines{std::string(text)};
   std::optional<Reading> before;
   Pose2 T_odom_base;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) {
-      continue;
-    }
+  forEachLine(text, [&](std::size_t number, std::string_view line) {
     std::vector<double> numbers;
-    if (const std::string why = parseNumbers(line, numbers); !why.empty()) {
+    const std::string why = parseNumbers(line, numbers);
+    if (numbers.empty()) {
+      return;
+    }
+    if (!why.empty()) {
       log.first_fault =
           log.malformed_lines++ == 0 ? fmt::format("line {}: {}", number, why) : log.first_fault;
-      continue;
+      return;
     }
     Reading reading = readingOf(numbers);
     if (before) {
@@ -106,7 +102,7 @@ RoverLog parseRoverLog(std::string_view text, const std::string& name, const Rov
     }
     log.records.push_back({reading.scan, {rover.T_base_laser, false}, T_odom_base, {}});
     before = std::move(reading);
-  }
+  });
   if (log.records.empty()) {
     throw std::runtime_error(
         fmt::format("{}: no usable line is in it{}.", name,
