@@ -26,6 +26,9 @@ constexpr double kOdometryFloorRotation = 0.005;    // [rad]
 /// Squared Mahalanobis distance from which on the odometry between two keyframes counts as wrong.
 constexpr double kSlip = 16.0;
 
+/// So many keyframes before it are matched with a new one, scan to scan.
+constexpr std::size_t kPairs = 2;
+
 /// [s] by which stamps may be wrong: some computers hand on late what came in time.
 constexpr double kLatency = 0.3;
 
@@ -69,6 +72,7 @@ FrontEnd::FrontEnd(const FrontEndConfig& config)
       tracker_(config.matching, config.min_confidence, config.places),
       surroundings_(config.surroundings, config.matching.scan_to_map.map),
       judge_(config.lost_distance),
+      pairs_(config.matching.match),
       relocaliser_(config.places) {}
 
 FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
@@ -110,7 +114,7 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
 /// Tracks a scan, and judges what that says. A robot that is lost goes by its odometry.
 TrackedScan FrontEnd::follow(const matching::View& view, const OdometryStep& step, double seconds) {
   TrackedScan tracked = tracker_.track(surroundings_.map(), view, belief_, step);
-  if (tracked.is_contradicted && !judge_.isLost()) {
+  if (!tracked.is_trusted && !judge_.isLost()) {
     tracked = tracker_.recover(surroundings_.map(), view, tracked);
   }
   judge_.note(tracked, step.motion, seconds);
@@ -176,9 +180,27 @@ void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Predictio
     match.covariance = geometry::rotateCovariance(match.covariance, -surroundings_.newest().theta);
     result.constraints.push_back(
         matchConstraint(before.id, result.keyframe->id, match, ConstraintKind::kMatch));
+    matchPairs(tracked, result);
   }
   surroundings_.add(result.keyframe, belief_.pose);
   odometry_jumped_ = false;
+}
+
+/// Adds what the scans of the keyframe and of the newest before it say of each other.
+void FrontEnd::matchPairs(const TrackedScan& tracked, FrontEndResult& result) const {
+  const auto& known = surroundings_.keyframes();
+  const std::size_t first = known.size() > kPairs ? known.size() - kPairs : 0;
+  for (std::size_t id = first; id < known.size(); ++id) {
+    if (!surroundings_.isDrawn(known[id]->id)) {
+      continue;  // the robot has been found elsewhere since
+    }
+    const Pose2& T_local_from = surroundings_.poseOf(known[id]->id);
+    const Belief seen{relativePose(T_local_from, belief_.pose),
+                      geometry::rotateCovariance(tracked.match.covariance, -T_local_from.theta)};
+    if (const auto pair = pairs_.match(*known[id], *result.keyframe, seen)) {
+      result.constraints.push_back(*pair);
+    }
+  }
 }
 
 /// The robot goes on at another place than it was believed to be at.

@@ -10,6 +10,7 @@
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
 #include "omega_slam/slam/lost_judge.h"
+#include "omega_slam/slam/pair_matcher.h"
 #include "omega_slam/slam/relocaliser.h"
 #include "omega_slam/slam/scan_tracker.h"
 #include "omega_slam/slam/surroundings.h"
@@ -34,7 +35,7 @@ struct FrontEndConfig {
 /// What one sweep has led to.
 struct FrontEndResult {
   KeyframePtr keyframe;                        ///< the new keyframe, or null
-  std::vector<graph::Constraint> constraints;  ///< that tie it to the keyframe before
+  std::vector<graph::Constraint> constraints;  ///< that tie it to keyframes before
   std::optional<matching::MatchResult> match;  ///< where a match was tried
   bool match_trusted{false};                   ///< whether that match had a say
   bool is_lost{false};                         ///< the robot does not know where it is
@@ -79,6 +80,7 @@ class FrontEnd {
                                  const motion::Prediction& prediction) const;
   void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
+  void matchPairs(const TrackedScan& tracked, FrontEndResult& result) const;
   void resumeAt(const Relocation& found, const sensing::Sweep& sweep,
                 const motion::Prediction& prediction, FrontEndResult& result);
   [[nodiscard]] graph::Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
@@ -91,6 +93,7 @@ class FrontEnd {
   ScanTracker tracker_;
   Surroundings surroundings_;
   LostJudge judge_;
+  PairMatcher pairs_;
   Relocaliser relocaliser_;
   Belief belief_;                ///< `T_local_base` at the last sweep
   motion::Prediction last_;      ///< of the last sweep

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/covariance.h"
 #include "omega_slam/matching/map_evidence.h"
 #include "omega_slam/matching/sight_check.h"
@@ -44,10 +43,6 @@ Belief predict(const Belief& before, const OdometryStep& step, double scale) {
   return {before.pose * step.motion,
           geometry::composeCovariance(before.pose, before.covariance, step.motion,
                                       scale * step.covariance)};
-}
-
-Eigen::Vector3d differenceOf(const Pose2& a, const Pose2& b) {
-  return {a.x - b.x, a.y - b.y, geometry::angleDifference(a.theta, b.theta)};
 }
 
 /// Kalman update.
@@ -109,8 +104,7 @@ TrackedScan ScanTracker::track(const matching::LocalMap& map, const matching::Vi
 
   Belief matched{tracked.match.T_reference_scan, kMatchShare * tracked.match.covariance};
   const Eigen::Vector3d innovation = differenceOf(matched.pose, predicted.pose);
-  const Eigen::Matrix3d spread = predicted.covariance + matched.covariance;
-  const double squared = innovation.dot(spread.ldlt().solve(innovation));
+  const double squared = squaredDistance(predicted, matched);
   learn(squared);
   if (squared > kApart) {
     tracked.has_slipped = fitsBetter(map, scan, tracked.match, predicted.pose);

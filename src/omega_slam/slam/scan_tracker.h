@@ -8,16 +8,10 @@
 #include "omega_slam/matching/local_map.h"
 #include "omega_slam/matching/map_matcher.h"
 #include "omega_slam/matching/matcher_factory.h"
+#include "omega_slam/slam/belief.h"
 #include "omega_slam/slam/place_matcher.h"
 
 namespace omega_slam::slam {
-
-/// A pose and how far it may be off.
-struct Belief {
-  geometry::Pose2 pose;
-  /// Of (x, y, theta) [m^2, m rad, rad^2], in the axes of the frame that the pose is in.
-  Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};
-};
 
 /// What the odometry says of the motion from one scan to the next.
 struct OdometryStep {
@@ -45,8 +39,8 @@ struct TrackedScan {
 /// been drawn astray, as it is in front of a bare wall, and counts for as little as makes the two
 /// agree.
 ///
-/// A scan that fits nowhere near is not trusted at all. If the map knows that nothing is where much
-/// of the scan lies, the robot is not where it is believed to be: see recover().
+/// A scan that fits nowhere near is not trusted at all: see recover(). If the map knows that
+/// nothing is where much of the scan lies, the robot is not where it is believed to be.
 class ScanTracker {
  public:
   /// @param min_confidence of a match with the map
@@ -59,7 +53,7 @@ class ScanTracker {
   [[nodiscard]] TrackedScan track(const matching::LocalMap& map, const matching::View& scan,
                                   const Belief& before, const OdometryStep& step);
 
-  /// Looks for a scan that the map contradicts all around where it is believed to have been taken:
+  /// Looks for a scan that is not trusted all around where it is believed to have been taken:
   /// odometry can jump, and robots are lifted and turned. Costs as much as a wide search.
   /// @return the scan where it was found; else as it was tracked
   [[nodiscard]] TrackedScan recover(const matching::LocalMap& map, const matching::View& scan,

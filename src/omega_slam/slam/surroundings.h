@@ -56,6 +56,8 @@ class Surroundings {
 
   [[nodiscard]] const matching::LocalMap& map() const { return map_; }
   [[nodiscard]] bool isDrawn(graph::NodeId id) const { return drawn_.count(id) > 0; }
+  /// `T_local_base` of a keyframe that is drawn.
+  [[nodiscard]] const geometry::Pose2& poseOf(graph::NodeId id) const { return drawn_.at(id); }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
   /// What the graph said last of the keyframes.
   [[nodiscard]] KnownPlaces known() const { return {keyframes_, poses_}; }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "omega_slam/sensing/scan_intake.h"
 #include "support/poses.h"
@@ -14,9 +15,10 @@ namespace {
 using geometry::Pose2;
 using graph::ConstraintKind;
 
-sensing::Sweep sweepAt(const Pose2& T_room_base, double stamp) {
+sensing::Sweep sweepAt(const Pose2& T_room_base, double stamp,
+                       const test::Room& room = test::furnishedRoom()) {
   std::mt19937_64 random(1);
-  auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
+  auto scan = test::measure(room, T_room_base, 360, 0.005, random);
   scan.stamp = stamp;
   return *sensing::ScanIntake({}).process(scan, {}).sweep;
 }
@@ -61,15 +63,44 @@ TEST(FrontEnd, TheMatchMendsTheOdometry) {
   const Pose2 odometry{0.5, 0.0, 0.16};
   const auto result = front_end.process(sweepAt(truth, 1.0), predictionAt(odometry, 1.0));
   ASSERT_TRUE(result.match_trusted);
-  ASSERT_EQ(result.constraints.size(), 2U);
+  ASSERT_EQ(result.constraints.size(), 3U) << "odometry, what was tracked, and scan to scan";
   EXPECT_EQ(result.constraints[0].kind, ConstraintKind::kOdometry);
   EXPECT_EQ(test::gapBetween(result.constraints[0].T_from_to, odometry).translation, 0.0);
-  EXPECT_EQ(result.constraints[1].kind, ConstraintKind::kMatch);
-  EXPECT_LT(test::gapBetween(result.constraints[1].T_from_to, truth).translation, 0.03);
-  EXPECT_LT(test::gapBetween(result.constraints[1].T_from_to, truth).rotation, 0.02);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_EQ(result.constraints[i].kind, ConstraintKind::kMatch);
+    EXPECT_LT(test::gapBetween(result.constraints[i].T_from_to, truth).translation, 0.03);
+    EXPECT_LT(test::gapBetween(result.constraints[i].T_from_to, truth).rotation, 0.02);
+  }
   for (const auto& constraint : result.constraints) {
     EXPECT_EQ(graph::faultOf(constraint, 2), "");
   }
+}
+
+TEST(FrontEnd, AKeyframeIsTiedToTheTwoBeforeIt) {
+  FrontEnd front_end;
+  FrontEndResult result;
+  for (int i = 0; i < 5; ++i) {
+    const Pose2 pose{-1.0 + 0.45 * i, -1.2, 0.0};
+    result = front_end.process(sweepAt(pose, i), predictionAt(pose, i));
+    ASSERT_TRUE(result.keyframe);
+  }
+  std::set<graph::NodeId> tied_to;
+  for (const auto& constraint : result.constraints) {
+    EXPECT_EQ(constraint.to, 4U);
+    tied_to.insert(constraint.from);
+  }
+  EXPECT_EQ(tied_to, (std::set<graph::NodeId>{2, 3}));
+}
+
+TEST(FrontEnd, AWrongTurnOfTheOdometryIsFoundThoughItLooksIntoTheUnknown) {
+  test::Room ahead;  // and nothing behind
+  ahead.walls = {{{2.0, -1.5}, {2.2, 0.4}}, {{2.2, 0.4}, {3.0, 0.9}}, {{1.2, -1.6}, {2.0, -1.5}}};
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0, ahead), predictionAt({}, 0.0));
+  const auto result =
+      front_end.process(sweepAt({}, 0.2, ahead), predictionAt({0.0, 0.0, 2.5}, 0.2));
+  EXPECT_TRUE(result.match_trusted);
+  EXPECT_LT(std::abs(result.T_keyframe_base.theta), 0.05);
 }
 
 TEST(FrontEnd, BelowTheThresholdTheOdometryStandsAlone) {

@@ -1,0 +1,59 @@
+#include "omega_slam/slam/pair_matcher.h"
+
+#include <cmath>
+
+namespace omega_slam::slam {
+
+using matching::MatchFailure;
+
+namespace {
+
+/// Scans taken farther apart see too little of the same.
+constexpr double kFarthest = 1.2;  // [m]
+
+constexpr double kLeastConfidence = 0.6;
+
+/// Squared Mahalanobis distance beyond which a pair contradicts what was tracked. Such pairs are
+/// wrong: scans that see one side each of a door frame, say, lie on each other.
+constexpr double kApart = 9.0;
+
+/// [m] by which points may lie apart at first: little, since the tracking knows where they are.
+constexpr double kReach = 0.5;
+
+/// The scans of a few keyframes are matched in pairs, so that their errors come back.
+constexpr double kShared = 4.0;
+
+bool isUsable(const matching::MatchResult& match) {
+  // Along an open direction the covariance says that nothing is known.
+  return match.confidence >= kLeastConfidence &&
+         (match.failure == MatchFailure::kNone || match.failure == MatchFailure::kDegenerate);
+}
+
+matching::PointToLineMatcherConfig fromNearby() {
+  matching::PointToLineMatcherConfig config;
+  config.max_correspondence_distance = kReach;
+  return config;
+}
+
+}  // namespace
+
+PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_(fromNearby(), config) {}
+
+std::optional<graph::Constraint> PairMatcher::match(const Keyframe& from, const Keyframe& to,
+                                                    const Belief& tracked) const {
+  if (std::hypot(tracked.pose.x, tracked.pose.y) > kFarthest) {
+    return std::nullopt;
+  }
+  matching::MatchResult match =
+      matcher_.match({viewOf(from.sweep)}, viewOf(to.sweep), tracked.pose);
+  if (!isUsable(match)) {
+    return std::nullopt;
+  }
+  match.covariance *= kShared;
+  if (squaredDistance({match.T_reference_scan, match.covariance}, tracked) > kApart) {
+    return std::nullopt;
+  }
+  return matchConstraint(from.id, to.id, match, graph::ConstraintKind::kMatch);
+}
+
+}  // namespace omega_slam::slam
