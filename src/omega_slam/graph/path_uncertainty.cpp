@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
+#include <numeric>
 
 #include "omega_slam/geometry/covariance.h"
 
@@ -20,38 +18,6 @@ namespace {
 constexpr double kArm = 2.0;                // [m] at which a turn counts
 constexpr double kLeastDeterminant = 1e-9;  // of an information that can be inverted
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A constraint as a step between its nodes, in either direction.
-struct Step {
-  NodeId node{0};  ///< that it leads to
-  std::size_t constraint{0};
-};
-
-/// Steps from each node, one after the other: those of node i are [begin[i], begin[i + 1]).
-struct Steps {
-  std::vector<std::size_t> begin;
-  std::vector<Step> steps;
-};
-
-Steps stepsOf(const PoseGraph& graph) {
-  Steps all;
-  all.begin.assign(graph.poses.size() + 1, 0);
-  for (const Constraint& constraint : graph.constraints) {
-    ++all.begin[constraint.from + 1];
-    ++all.begin[constraint.to + 1];
-  }
-  for (std::size_t node = 0; node < graph.poses.size(); ++node) {
-    all.begin[node + 1] += all.begin[node];
-  }
-  all.steps.resize(2 * graph.constraints.size());
-  std::vector<std::size_t> next(all.begin.begin(), all.begin.end() - 1);
-  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
-    const Constraint& constraint = graph.constraints[k];
-    all.steps[next[constraint.from]++] = {constraint.to, k};
-    all.steps[next[constraint.to]++] = {constraint.from, k};
-  }
-  return all;
-}
 
 /// What a constraint costs a path.
 double costOf(const Constraint& constraint) {
@@ -84,41 +50,67 @@ Eigen::Matrix3d covarianceOfStep(const PoseGraph& graph, const Constraint& const
 PathUncertainty::PathUncertainty(const PoseGraph& graph, NodeId root)
     : graph_(graph),
       T_root_graph_(graph.poses[root].inverse()),
+      least_(graph.poses.size(), kInfinity),
       hops_(graph.poses.size(), -1),
       arrivals_(graph.poses.size()),
       covariances_(graph.poses.size()),
       is_compounded_(graph.poses.size(), false) {
-  const Steps all = stepsOf(graph);
-  using Path = std::pair<double, NodeId>;  // its cost, and where it leads
-  std::priority_queue<Path, std::vector<Path>, std::greater<>> open;
-  std::vector<double> least(graph.poses.size(), kInfinity);
-  least[root] = 0.0;
-  open.emplace(0.0, root);
-  while (!open.empty()) {
-    const auto [cost, node] = open.top();
-    open.pop();
-    if (hops_[node] >= 0) {
-      continue;
-    }
-    hops_[node] = node == root ? 0 : hops_[arrivals_[node].before] + 1;
-    for (std::size_t s = all.begin[node]; s < all.begin[node + 1]; ++s) {
-      const Step& step = all.steps[s];
-      if (hops_[step.node] >= 0) {
-        continue;
-      }
-      const double total = cost + costOf(graph.constraints[step.constraint]);
-      if (total < least[step.node]) {
-        least[step.node] = total;
-        arrivals_[step.node] = {node, step.constraint};
-        open.emplace(total, step.node);
-      }
-    }
-  }
+  listSteps();
+  least_[root] = 0.0;
+  arrivals_[root].before = root;
+  open_.emplace(0.0, root);
   covariances_[root].setZero();
   is_compounded_[root] = true;
 }
 
+void PathUncertainty::listSteps() {
+  first_steps_.assign(graph_.poses.size() + 1, 0);
+  for (const Constraint& constraint : graph_.constraints) {
+    ++first_steps_[constraint.from + 1];
+    ++first_steps_[constraint.to + 1];
+  }
+  std::partial_sum(first_steps_.begin(), first_steps_.end(), first_steps_.begin());
+  steps_.resize(2 * graph_.constraints.size());
+  std::vector<std::size_t> next(first_steps_.begin(), first_steps_.end() - 1);
+  for (std::size_t k = 0; k < graph_.constraints.size(); ++k) {
+    const Constraint& constraint = graph_.constraints[k];
+    steps_[next[constraint.from]++] = {constraint.to, k};
+    steps_[next[constraint.to]++] = {constraint.from, k};
+  }
+}
+
+/// Goes on with Dijkstra's search until the surest path to a node is known, or no path is left.
+void PathUncertainty::settle(NodeId node) {
+  while (hops_[node] < 0 && !open_.empty()) {
+    const auto [cost, at] = open_.top();
+    open_.pop();
+    if (hops_[at] >= 0) {
+      continue;
+    }
+    const NodeId before = arrivals_[at].before;
+    hops_[at] = before == at ? 0 : hops_[before] + 1;
+    for (std::size_t s = first_steps_[at]; s < first_steps_[at + 1]; ++s) {
+      const Step& step = steps_[s];
+      if (hops_[step.node] >= 0) {
+        continue;
+      }
+      const double total = cost + costOf(graph_.constraints[step.constraint]);
+      if (total < least_[step.node]) {
+        least_[step.node] = total;
+        arrivals_[step.node] = {at, step.constraint};
+        open_.emplace(total, step.node);
+      }
+    }
+  }
+}
+
+int PathUncertainty::hops(NodeId node) {
+  settle(node);
+  return hops_[node];
+}
+
 const Eigen::Matrix3d& PathUncertainty::covariance(NodeId node) {
+  settle(node);
   std::vector<NodeId> unknown;  // the way back to what is known
   for (NodeId at = node; !is_compounded_[at]; at = arrivals_[at].before) {
     unknown.push_back(at);

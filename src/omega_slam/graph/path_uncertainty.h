@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
@@ -17,7 +20,8 @@ namespace omega_slam::graph {
 ///
 /// Deviation: paths are compared by a sum over their constraints, the variance of the translation
 /// and that of the rotation at an arm of 2 m; covariances are compounded along the winners only,
-/// and only for the nodes that are asked for. O((n + m) log n), and O(n) for all answers together.
+/// and only for the nodes that are asked for; the search goes no farther than to these. O(n + m) to
+/// begin with, and O((n + m) log n) for all answers together.
 ///
 /// Not thread-safe: answers are kept.
 class PathUncertainty {
@@ -27,9 +31,9 @@ class PathUncertainty {
   /// @param root a node of it
   PathUncertainty(const PoseGraph& graph, NodeId root);
 
-  [[nodiscard]] bool reaches(NodeId node) const { return hops_[node] >= 0; }
+  [[nodiscard]] bool reaches(NodeId node) { return hops(node) >= 0; }
   /// Constraints on the path; -1 where there is none.
-  [[nodiscard]] int hops(NodeId node) const { return hops_[node]; }
+  [[nodiscard]] int hops(NodeId node);
   /// Of `T_root_node`, (x, y, theta) in the axes of the root [m^2, m rad, rad^2]; only where it
   /// reaches.
   [[nodiscard]] const Eigen::Matrix3d& covariance(NodeId node);
@@ -45,11 +49,24 @@ class PathUncertainty {
     std::size_t constraint{0};
   };
 
+  /// A constraint as a step between its nodes, in either direction.
+  struct Step {
+    NodeId node{0};  ///< that it leads to
+    std::size_t constraint{0};
+  };
+  using Path = std::pair<double, NodeId>;  ///< its cost, and where it leads
+
+  void listSteps();
+  void settle(NodeId node);
   void compound(NodeId node);
 
   const PoseGraph& graph_;
   geometry::Pose2 T_root_graph_;
-  std::vector<int> hops_;
+  std::vector<std::size_t> first_steps_;  ///< of node i; those of the next follow
+  std::vector<Step> steps_;
+  std::priority_queue<Path, std::vector<Path>, std::greater<>> open_;
+  std::vector<double> least_;  ///< cost of the surest path that is known so far
+  std::vector<int> hops_;      ///< -1 as long as the surest path is not known
   std::vector<Arrival> arrivals_;
   std::vector<Eigen::Matrix3d> covariances_;
   std::vector<bool> is_compounded_;

@@ -67,6 +67,26 @@ TEST(PathUncertainty, ALoopIsAShortCut) {
   EXPECT_EQ(known.hops(29), 1);
 }
 
+TEST(PathUncertainty, AnswersDoNotDependOnWhatWasAskedBefore) {
+  PoseGraph graph = test::chainOf(straight(12), 0.1);
+  Constraint loop = graph.constraints.front();
+  loop.from = 2;
+  loop.to = 9;
+  loop.T_from_to = relativePose(graph.poses[2], graph.poses[9]);
+  graph.constraints.push_back(loop);
+  PathUncertainty outwards(graph, 3);
+  PathUncertainty inwards(graph, 3);
+  std::vector<double> deviations;
+  for (NodeId node = 0; node < 12; ++node) {
+    deviations.push_back(outwards.placeDeviation(node));
+  }
+  for (NodeId node = 12; node-- > 0;) {
+    EXPECT_EQ(inwards.placeDeviation(node), deviations[node]);
+    EXPECT_EQ(inwards.hops(node), PathUncertainty(graph, 3).hops(node));
+  }
+  EXPECT_EQ(inwards.hops(9), 2);
+}
+
 TEST(PathUncertainty, WhatIsNotTiedIsNotReached) {
   PoseGraph graph = test::chainOf(straight(3), 0.1);
   graph.constraints[1].information.setZero();  // says nothing
