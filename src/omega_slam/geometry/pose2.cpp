@@ -34,10 +34,11 @@ Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
 }
 
 Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b) {
-  const double c = std::cos(T_a_b.theta);
-  const double s = std::sin(T_a_b.theta);
-  return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+  return PointTransform(T_a_b) * p_b;
 }
+
+PointTransform::PointTransform(const Pose2& T_a_b)
+    : x_(T_a_b.x), y_(T_a_b.y), cosine_(std::cos(T_a_b.theta)), sine_(std::sin(T_a_b.theta)) {}
 
 Pose2 relativePose(const Pose2& T_c_a, const Pose2& T_c_b) { return T_c_a.inverse() * T_c_b; }
 

@@ -28,6 +28,23 @@ struct Pose2 {
 /// `p_a = T_a_b * p_b`
 [[nodiscard]] Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b);
 
+/// A pose with sine and cosine at hand, for many points: `p_a = T_a_b * p_b`, to the last digit as
+/// the pose itself has it.
+class PointTransform {
+ public:
+  explicit PointTransform(const Pose2& T_a_b);
+
+  [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& p_b) const {
+    return {x_ + cosine_ * p_b.x() - sine_ * p_b.y(), y_ + sine_ * p_b.x() + cosine_ * p_b.y()};
+  }
+
+ private:
+  double x_;
+  double y_;
+  double cosine_;
+  double sine_;
+};
+
 /// The pose of b seen from a, where both are seen from a common frame: `T_a_b = T_c_a^-1 * T_c_b`.
 [[nodiscard]] Pose2 relativePose(const Pose2& T_c_a, const Pose2& T_c_b);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace omega_slam::matching {
@@ -40,38 +40,44 @@ struct Neighbourhood {
   Eigen::Vector2d nearest{0.0, 0.0};
   double nearest_squared{std::numeric_limits<double>::infinity()};
 
-  /// @param values of the cells of row y, from column begin to before column end
-  void addRow(const std::uint8_t* values, int row, int begin, int end) {
-    constexpr std::array<std::uint8_t, 2 * kAround> kFree{};
-    if (end - begin == 2 * kAround && std::memcmp(values, kFree.data(), kFree.size()) == 0) {
+  using Row = std::array<std::uint8_t, 2 * kAround>;  ///< from column -kAround on
+
+  void addRow(const Row& values, int row) {
+    if (values == Row{}) {
       return;  // as most are
     }
-    int cells = 0;
     int sum = 0;
     int first = 0;
     int second = 0;
-    double closest = std::numeric_limits<double>::infinity();
-    for (int column = begin; column < end; ++column) {
-      const int value = values[column - begin];
-      if (value > 0) {
-        ++cells;
-        sum += value;
-        first += value * column;
-        second += value * column * column;
-        const double gap = column + shift.x();
-        closest = std::abs(gap) < std::abs(closest) ? gap : closest;
-      }
+    for (int column = -kAround; column < kAround; ++column) {
+      const int value = values[static_cast<std::size_t>(column + kAround)];
+      count += value > 0 ? 1 : 0;
+      sum += value;
+      first += value * column;
+      second += value * column * column;
     }
-    if (cells > 0) {
-      count += cells;
-      weight += sum;
-      x += first;
-      xx += second;
-      y += sum * row;
-      xy += first * row;
-      yy += sum * row * row;
-      lookAt({closest, row + shift.y()});
-    }
+    weight += sum;
+    x += first;
+    xx += second;
+    y += sum * row;
+    xy += first * row;
+    yy += sum * row * row;
+    lookAt({closestIn(values), row + shift.y()});
+  }
+
+  /// Along the row, from the place to the nearest occupied cell. The place lies between the centres
+  /// of columns -1 and 0.
+  [[nodiscard]] double closestIn(const Row& values) const {
+    const auto is_occupied = [](std::uint8_t value) { return value > 0; };
+    const auto middle = values.begin() + kAround;
+    const auto right = std::find_if(middle, values.end(), is_occupied);
+    const auto left = std::find_if(std::make_reverse_iterator(middle), values.rend(), is_occupied);
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const double to_right =
+        right == values.end() ? kNone : static_cast<double>(right - middle) + shift.x();
+    const double to_left =
+        left == values.rend() ? -kNone : static_cast<double>(left.base() - 1 - middle) + shift.x();
+    return -to_left <= to_right ? to_left : to_right;
   }
 
   void lookAt(const Eigen::Vector2d& cell) {
@@ -106,7 +112,14 @@ Neighbourhood lookAround(const ValueGrid& grid, const Eigen::Vector2d& place) {
   found.shift = (middle.cast<double>() - place).array() + 0.5;
   for (int row = low.y(); row < high.y(); ++row) {
     const grid::Cell start = middle + grid::Cell(low.x(), row);
-    found.addRow(&grid.values[grid.geometry.index(start)], row, low.x(), high.x());
+    const std::uint8_t* const first = &grid.values[grid.geometry.index(start)];
+    Neighbourhood::Row values{};
+    if (high.x() - low.x() == 2 * kAround) {
+      std::copy_n(first, 2 * kAround, values.begin());  // without a loop
+    } else {
+      std::copy_n(first, high.x() - low.x(), values.begin() + (low.x() + kAround));
+    }
+    found.addRow(values, row);
   }
   return found;
 }
@@ -145,9 +158,10 @@ double contradictionOf(const LocalMap& map, const Points& scan, const Pose2& T_m
   if (scan.empty()) {
     return 0.0;
   }
+  const geometry::PointTransform to_map(T_map_scan);
   const auto contradicted = std::count_if(
       scan.begin(), scan.end(),
-      [&](const Eigen::Vector2d& p_scan) { return map.isFreeAround(T_map_scan * p_scan); });
+      [&](const Eigen::Vector2d& p_scan) { return map.isFreeAround(to_map * p_scan); });
   return static_cast<double>(contradicted) / static_cast<double>(scan.size());
 }
 

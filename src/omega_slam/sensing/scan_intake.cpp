@@ -127,6 +127,7 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
   const double turn = mount.upside_down ? -1.0 : 1.0;
   const double last = std::max(1.0, static_cast<double>(scan.ranges.size() - 1));
 
+  const geometry::PointTransform T_base_laser(mount.T_base_laser);
   Sweep sweep{scan.stamp, mount.T_base_laser, std::abs(scan.angle_increment), {}};
   sweep.beams.reserve(scan.ranges.size());
   bool says_anything = false;
@@ -139,9 +140,8 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
       const double angle = turn * (scan.angle_min + index * scan.angle_increment);
       const Eigen::Vector2d p_laser(reading.range * std::cos(angle),
                                     reading.range * std::sin(angle));
-      const Pose2 T_start_base =
-          moves ? interpolate(Pose2{}, motion_during_sweep, index / last) : Pose2{};
-      beam.end = T_start_base * (mount.T_base_laser * p_laser);
+      const Eigen::Vector2d p_base = T_base_laser * p_laser;
+      beam.end = moves ? interpolate(Pose2{}, motion_during_sweep, index / last) * p_base : p_base;
       says_anything = true;
     }
     sweep.beams.push_back(beam);
