@@ -89,16 +89,15 @@ class Attempt {
         view_(scan),
         guess_(guess),
         scan_(tracePatches(scan)),
-        field_(traceSurfaces(reference, kSampleSpacing * settings.match.outlier_distance),
-               settings.match.outlier_distance),
-        search_(placesOf(field_.surfaces().samples),
+        surfaces_(traceSurfaces(reference, kSampleSpacing * settings.match.outlier_distance)),
+        search_(placesOf(surfaces_.samples),
                 pointsToSearchWith(scan_, settings.match.min_returns,
                                    kPointSpacing * settings.own.resolution),
                 guess,
                 {settings.own.window, settings.own.resolution, settings.match.outlier_distance,
-                 settings.own.least_score}),
-        refinement_(field_, scan_) {}
+                 settings.own.least_score}) {}
 
+  /// @param count of peaks, at most
   [[nodiscard]] CorrelativeMatch run(std::size_t count) const {
     CorrelativeMatch match;
     match.peaks = search_.peaks(count);
@@ -106,13 +105,15 @@ class Attempt {
       match.result = refusal(guess_, MatchFailure::kNoOverlap);
       return match;
     }
+    const SurfaceField field(surfaces_, settings_.match.outlier_distance);
+    const FieldRefinement refinement(field, scan_);
     const Pose2& peak = match.peaks.front().T_reference_scan;
-    match.result = finish(peak, peak);
+    match.result = finish(refinement, peak, peak);
     if (const auto sharp = sharpenByRays(reference_, view_, match.result, settings_.match)) {
       match.result.T_reference_scan = *sharp;
     } else if (match.result.open_direction) {
       // Nothing but the guess knows better there, unless that would lose the scan.
-      const MatchResult held = finish(match.result.T_reference_scan, guess_);
+      const MatchResult held = finish(refinement, match.result.T_reference_scan, guess_);
       match.result = held.confidence + kTie >= match.result.confidence ? held : match.result;
     }
     if (!match.result.converged && match.result.failure == MatchFailure::kNone) {
@@ -124,12 +125,12 @@ class Attempt {
  private:
   /// Refines and judges a pose.
   /// @param hold what open directions lead back to
-  [[nodiscard]] MatchResult finish(const Pose2& start, const Pose2& hold) const {
+  [[nodiscard]] MatchResult finish(const FieldRefinement& refinement, const Pose2& start,
+                                   const Pose2& hold) const {
     const double noise = settings_.match.range_noise;
-    const Refinement refined =
-        refinement_.refine(start, hold, noise, settings_.own.max_refinements);
+    const Refinement refined = refinement.refine(start, hold, noise, settings_.own.max_refinements);
     const Pose2& pose = refined.T_reference_scan;
-    MatchResult result = judgeEvidence(refinement_.evidence(pose), pose, settings_.match);
+    MatchResult result = judgeEvidence(refinement.evidence(pose), pose, settings_.match);
     result.converged = refined.converged;
     result.covariance =
         widenByVolume(search_, pose, result.covariance, std::max(noise, result.residual));
@@ -142,9 +143,8 @@ class Attempt {
   const View& view_;
   Pose2 guess_;
   std::vector<SurfacePatch> scan_;
-  SurfaceField field_;
+  TracedSurfaces surfaces_;
   CorrelativeSearch search_;
-  FieldRefinement refinement_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "omega_slam/matching/correlative_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <queue>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kLargestBlock = 0.8;   // [m] larger ones have bounds that say nothing
 constexpr int kExactly = -(1 << 30);    // below all sums
+constexpr int kNotAtAll = 1 << 30;      // above all sums
 constexpr double kHandicap = 0.02;      // of the score, at the window's edge
 constexpr double kLeastFarthest = 0.5;  // [m] a scan of nothing but a heap needs no finer turns
 
@@ -60,6 +62,17 @@ int levelsFor(const PoseLattice& lattice) {
 
 int sideOf(const PoseBlock& block) { return 1 << block.level; }
 
+using Four = std::array<int, 4>;  // of four blocks
+
+/// A block, the next in x, the next in y, and the next in both.
+std::array<PoseBlock, 4> fourFrom(const PoseBlock& block) {
+  const int side = sideOf(block);
+  std::array<PoseBlock, 4> blocks{block, block, block, block};
+  blocks[1].x = blocks[3].x = block.x + side;
+  blocks[2].y = blocks[3].y = block.y + side;
+  return blocks;
+}
+
 /// How far an interval of indices, `side` long, begins away from an index.
 int gapTo(int index, int begin, int side) {
   return std::max({0, begin - index, index - (begin + side - 1)});
@@ -97,15 +110,23 @@ class CorrelativeSearch::TurnedScan {
     }
   }
 
-  /// Sum of likelihoods; any number not above `least` where it is not above that.
-  [[nodiscard]] int sum(const LikelihoodPyramid& pyramid, const PoseBlock& block, int least) const {
-    const int x = block.x >> shift_;
-    const int y = block.y >> shift_;
-    int most = LikelihoodPyramid::kFull * points_;
+  /// Sums of likelihoods for a block, the next in x, the next in y, and the next in both: as their
+  /// places are found together, they cost little more than one. Any number not above `least` where
+  /// a sum is not above that.
+  [[nodiscard]] Four sums(const LikelihoodPyramid& pyramid, const PoseBlock& block,
+                          const Four& least) const {
+    const grid::Cell shift(block.x >> shift_, block.y >> shift_);
+    const int step = sideOf(block) >> shift_;
+    const int full = LikelihoodPyramid::kFull * points_;
+    Four most{full, full, full, full};
     for (const Occupied& occupied : blocks_) {
-      const int likelihood = pyramid.at(block.level, occupied.cell.x() + x, occupied.cell.y() + y);
-      most -= (LikelihoodPyramid::kFull - likelihood) * occupied.points;
-      if (most <= least) {
+      const auto likelihoods = pyramid.atFour(block.level, occupied.cell + shift, step);
+      bool is_hopeless = true;
+      for (std::size_t k = 0; k < most.size(); ++k) {
+        most[k] -= (LikelihoodPyramid::kFull - likelihoods[k]) * occupied.points;
+        is_hopeless = is_hopeless && most[k] <= least[k];
+      }
+      if (is_hopeless) {
         break;
       }
     }
@@ -181,15 +202,31 @@ class CorrelativeSearch::Frontier {
  private:
   /// Adds the blocks from `first` on, up to those that begin at the last x and y.
   void addPlaces(const PoseBlock& first, int last_x, int last_y) {
-    const TurnedScan& scan = turnedScan(first.level, first.a);
     const int last = 2 * search_.lattice_.steps;
+    last_x = std::min(last_x, last);
+    last_y = std::min(last_y, last);
     PoseBlock block = first;
-    for (block.y = first.y; block.y <= std::min(last_y, last); block.y += sideOf(block)) {
-      for (block.x = first.x; block.x <= std::min(last_x, last); block.x += sideOf(block)) {
-        const int bound = search_.bound(block, scan, search_.least_bound_);
-        if (bound > search_.least_bound_) {
-          queue_.push({block, bound});
-        }
+    for (block.y = first.y; block.y <= last_y; block.y += 2 * sideOf(block)) {
+      for (block.x = first.x; block.x <= last_x; block.x += 2 * sideOf(block)) {
+        addFour(fourFrom(block), last_x, last_y);
+      }
+    }
+  }
+
+  /// Adds those of four blocks that begin no later than the last x and y.
+  void addFour(const std::array<PoseBlock, 4>& blocks, int last_x, int last_y) {
+    Four less{};
+    Four least{};
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const bool is_wanted = blocks[k].x <= last_x && blocks[k].y <= last_y;
+      less[k] = is_wanted ? search_.less(blocks[k]) : 0;
+      least[k] = is_wanted ? search_.least_bound_ + less[k] : kNotAtAll;
+    }
+    const PoseBlock& first = blocks.front();
+    const Four sums = turnedScan(first.level, first.a).sums(search_.pyramid_, first, least);
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      if (sums[k] > least[k]) {
+        queue_.push({blocks[k], sums[k] - less[k]});
       }
     }
   }
@@ -263,14 +300,14 @@ double CorrelativeSearch::score(const Pose2& T_reference_scan) const {
 }
 
 int CorrelativeSearch::bound(const PoseBlock& block) const {
-  return bound(block, TurnedScan(*this, block.level, block.a), kExactly);
+  const TurnedScan scan(*this, block.level, block.a);
+  return scan.sums(pyramid_, block, {kExactly, kNotAtAll, kNotAtAll, kNotAtAll})[0] - less(block);
 }
 
-/// @param least where it does not exceed this, any number that does not either
-int CorrelativeSearch::bound(const PoseBlock& block, const TurnedScan& scan, int least) const {
+/// The handicap in the units of sums.
+int CorrelativeSearch::less(const PoseBlock& block) const {
   const double full = LikelihoodPyramid::kFull * static_cast<double>(scan_.size());
-  const int less = static_cast<int>(handicap(block) * full);
-  return scan.sum(pyramid_, block, least + less) - less;
+  return static_cast<int>(handicap(block) * full);
 }
 
 double CorrelativeSearch::handicap(const PoseBlock& block) const {

@@ -89,7 +89,7 @@ class CorrelativeSearch {
   class Frontier;
   class TurnedScan;
 
-  [[nodiscard]] int bound(const PoseBlock& block, const TurnedScan& scan, int least) const;
+  [[nodiscard]] int less(const PoseBlock& block) const;
   [[nodiscard]] double handicap(const PoseBlock& block) const;
 
   Points scan_;

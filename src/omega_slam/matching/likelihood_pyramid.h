@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +42,12 @@ class LikelihoodPyramid {
   /// @param block_x, block_y a cell's indices divided by the block's side, rounded down
   [[nodiscard]] int at(int level, int block_x, int block_y) const {
     return levels_[static_cast<std::size_t>(level)].at(block_x, block_y);
+  }
+
+  /// The same for four blocks, `step` < TiledGrid::kSide blocks apart: as TiledGrid::atFour.
+  [[nodiscard]] std::array<std::uint8_t, 4> atFour(int level, const grid::Cell& block,
+                                                   int step) const {
+    return levels_[static_cast<std::size_t>(level)].atFour(block.x(), block.y(), step);
   }
 
  private:

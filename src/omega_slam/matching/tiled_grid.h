@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,19 @@ class TiledGrid {
       return Value{};
     }
     return values_[tiles_[tileOf(place)] + cellOf(place)];
+  }
+
+  /// Four cells, `step` > 0 apart: (x, y), (x + step, y), (x, y + step), (x + step, y + step).
+  [[nodiscard]] std::array<Value, 4> atFour(int x, int y, int step) const {
+    const Place place = placeOf(x, y);
+    const unsigned last = kSide - static_cast<unsigned>(step);
+    if (place.column % kSide >= last || place.row % kSide >= last ||
+        place.column / kSide >= columns_ || place.row / kSide >= rows_) {
+      return {at(x, y), at(x + step, y), at(x, y + step), at(x + step, y + step)};
+    }
+    const Value* const low = &values_[tiles_[tileOf(place)] + cellOf(place)];
+    const Value* const high = low + step * kSide;
+    return {low[0], low[step], high[0], high[step]};
   }
 
   /// A cell to be written, which the grid must cover.

@@ -57,5 +57,22 @@ TEST(TiledGridTest, RowIsVisitedOnceFromEndToEnd) {
   }
 }
 
+TEST(TiledGridTest, FourAtOnceAreWhatEachIs) {
+  TiledGrid<int> grid({-33, -10}, {64, 40});
+  for (int x = -33; x <= 64; ++x) {
+    grid(x, x % 7 + 20) = x + 100;
+    grid(x, x % 5 - 2) = x + 500;
+  }
+  for (const int step : {1, 2, 31}) {
+    for (int y = -80; y <= 80; ++y) {
+      for (int x = -80; x <= 120; ++x) {
+        const std::array<int, 4> each{grid.at(x, y), grid.at(x + step, y), grid.at(x, y + step),
+                                      grid.at(x + step, y + step)};
+        ASSERT_EQ(grid.atFour(x, y, step), each) << x << ", " << y << " step " << step;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace omega_slam::matching
