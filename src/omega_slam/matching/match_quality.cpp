@@ -82,10 +82,10 @@ MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2&
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   MatchEvidence evidence;
   evidence.points = scan.size();
-  for (const Eigen::Vector2d& p_scan : scan) {
-    const Eigen::Vector2d arm = rotation * p_scan;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Eigen::Vector2d arm = rotation * scan[i];
     const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
-    if (const auto partner = reference.partnerOf(p_reference, config.outlier_distance)) {
+    if (const auto* partner = reference.partnerOf(i, p_reference, config.outlier_distance)) {
       evidence.add(partner->surface, p_reference - partner->point, arm);
     }
   }

@@ -13,7 +13,7 @@ constexpr std::int32_t kTurn = 64;  // cells along each axis until the grid begi
 constexpr std::int32_t kMask = kTurn - 1;
 constexpr std::int32_t kWidest = kTurn / 2 - 1;  // ring that does not yet meet itself
 constexpr double kFarthest = 500000.0;           // cells from the origin; beyond, all share one
-constexpr std::size_t kLikely = 2;               // so many points are looked at first
+constexpr std::size_t kLikely = 2;               // so many points in a row are looked at first
 
 /// Cells between a place's own and the farthest that a circle around it may touch; kWidest + 1 for
 /// all that is too many.
@@ -75,8 +75,8 @@ void PointIndex::visitRow(std::int32_t y, std::int32_t first_x, std::int32_t las
   }
 }
 
-std::optional<PointIndex::Neighbour> PointIndex::nearest(const Eigen::Vector2d& query, double reach,
-                                                         std::size_t likely) const {
+std::optional<PointIndex::Neighbour> PointIndex::nearest(
+    const Eigen::Vector2d& query, double reach, const std::array<std::size_t, 2>& likely) const {
   constexpr auto kNone = std::numeric_limits<std::size_t>::max();
   std::size_t best = kNone;
   double smallest = reach * reach;
@@ -87,8 +87,10 @@ std::optional<PointIndex::Neighbour> PointIndex::nearest(const Eigen::Vector2d& 
       best = entry.index;
     }
   };
-  for (std::size_t i = likely; i < points_.size() && i < likely + kLikely; ++i) {
-    visit({points_[i], i});
+  for (const std::size_t first : likely) {
+    for (std::size_t i = first; i < points_.size() && i < first + kLikely; ++i) {
+      visit({points_[i], i});
+    }
   }
   if (ringsTo(reach) > kWidest) {
     std::for_each(entries_.begin(), entries_.end(), visit);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,10 +30,12 @@ class PointIndex {
   };
 
   /// The nearest point, none if it is farther than `reach` [m].
-  /// @param likely index of a point that is likely to be near, as the last answer where queries
-  /// follow a sweep: it and the one after it are looked at first, and leave fewer others to look at
-  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector2d& query, double reach,
-                                                 std::size_t likely = 0) const;
+  /// @param likely indices of points that are likely to be near, as the last answer where queries
+  /// follow a sweep: they and those after them are looked at first, and leave fewer others to look
+  /// at
+  [[nodiscard]] std::optional<Neighbour> nearest(
+      const Eigen::Vector2d& query, double reach,
+      const std::array<std::size_t, 2>& likely = {}) const;
 
   /// All points within a radius [m], in no particular order but always the same.
   void within(const Eigen::Vector2d& query, double radius,

@@ -35,10 +35,10 @@ PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   const Eigen::Vector2d translation = T_reference_scan.translation();
   PointToLineEquations equations;
-  for (const Eigen::Vector2d& p_scan : scan) {
-    const Eigen::Vector2d arm = rotation * p_scan;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Eigen::Vector2d arm = rotation * scan[i];
     const Eigen::Vector2d p_reference = arm + translation;
-    if (const auto partner = reference.partnerOf(p_reference, kernel.reach)) {
+    if (const auto* partner = reference.partnerOf(i, p_reference, kernel.reach)) {
       equations.add(partner->surface, p_reference - partner->point, arm, kernel);
     }
   }

@@ -9,8 +9,11 @@ namespace {
 
 constexpr double kSurfaceRadius = 0.3;  // [m] neighbours that make up the surface around a point
 constexpr double kLineFlatness = 0.25;  // minor over major axis; above, it is no line
-constexpr double kSpotRadius = 0.05;    // [m] root mean square of what is small
-constexpr double kLeastNoise = 0.01;    // [m] of a range: three points may look straighter
+/// [m] by which a search goes farther than it has to, so that it need not be repeated as soon.
+constexpr double kBeyond = 0.1;
+constexpr double kRounding = 1e-9;    // [m]
+constexpr double kSpotRadius = 0.05;  // [m] root mean square of what is small
+constexpr double kLeastNoise = 0.01;  // [m] of a range: three points may look straighter
 // Far away the neighbours of a beam lie beyond the radius above. With the point between them they
 // are a line if they are not farther than this, about equally far, and straight within:
 constexpr double kSparseRadius = 1.5;  // [m]
@@ -78,16 +81,46 @@ SurfaceModel::SurfaceModel(const Points& reference)
 
 std::optional<SurfaceModel::Partner> SurfaceModel::partnerOf(const Eigen::Vector2d& p_reference,
                                                              double reach) {
-  const auto nearest = index_.nearest(p_reference, reach, latest_);
+  const auto nearest = index_.nearest(p_reference, reach, {latest_, latest_});
   if (!nearest) {
     return std::nullopt;
   }
   latest_ = nearest->index;
-  std::optional<Partner>& partner = partners_[nearest->index];
-  if (!partner) {
-    partner = fitAround(nearest->index);
+  return *surfaceAt(nearest->index);
+}
+
+const SurfaceModel::Partner* SurfaceModel::partnerOf(std::size_t point,
+                                                     const Eigen::Vector2d& p_reference,
+                                                     double reach) {
+  if (point >= findings_.size()) {
+    findings_.resize(point + 1);
   }
-  return partner;
+  Finding& finding = findings_[point];
+  if (finding.clearance - (p_reference - finding.place).norm() > reach + kRounding) {
+    return nullptr;  // nothing can have come that near
+  }
+  const double beyond = reach + kBeyond;
+  const auto nearest = index_.nearest(p_reference, beyond, {finding.nearest, latest_});
+  finding.place = p_reference;
+  if (!nearest) {
+    finding.clearance = beyond;
+    return nullptr;
+  }
+  finding.nearest = nearest->index;
+  finding.clearance = std::sqrt(nearest->squared_distance);
+  if (nearest->squared_distance > reach * reach) {
+    return nullptr;
+  }
+  latest_ = nearest->index;
+  return surfaceAt(nearest->index);
+}
+
+const SurfaceModel::Partner* SurfaceModel::surfaceAt(std::size_t index) {
+  std::optional<Partner>& partner = partners_[index];
+  if (!partner) {
+    partner = fitAround(index);
+  }
+  return &*partner;
 }
 
 SurfaceModel::Partner SurfaceModel::fitAround(std::size_t index) {

@@ -82,7 +82,22 @@ class SurfaceModel {
   /// The surface of the reference point nearest to a place, none if it is farther than `reach` [m].
   [[nodiscard]] std::optional<Partner> partnerOf(const Eigen::Vector2d& p_reference, double reach);
 
+  /// The same for a point of a scan that is asked for again and again while the scan moves little:
+  /// what was found the last time leaves little to search for.
+  /// @param point its number, the same each time; any number will do, but a wrong one takes longer
+  /// @return none: nullptr. Valid as long as the model
+  [[nodiscard]] const Partner* partnerOf(std::size_t point, const Eigen::Vector2d& p_reference,
+                                         double reach);
+
  private:
+  /// What was found for a point of a scan.
+  struct Finding {
+    Eigen::Vector2d place{0.0, 0.0};  ///< [m] where it was
+    std::size_t nearest{0};           ///< of the reference's points
+    double clearance{0.0};            ///< [m] around the place, in which there is no other
+  };
+
+  [[nodiscard]] const Partner* surfaceAt(std::size_t index);
   [[nodiscard]] Partner fitAround(std::size_t index);
   [[nodiscard]] Partner fitSweep(std::size_t index) const;
   [[nodiscard]] Partner fitNeighbourhood(std::size_t index);
@@ -90,7 +105,8 @@ class SurfaceModel {
 
   const Points& reference_;
   PointIndex index_;
-  std::size_t latest_{0};  // of the nearest points: where the next one is likely to be
+  std::size_t latest_{0};          // of the nearest points: where the next one is likely to be
+  std::vector<Finding> findings_;  // by the points' numbers
   std::vector<std::optional<Partner>> partners_;
   std::vector<PointIndex::Neighbour> neighbours_;  // kept, so as not to allocate for each point
 };

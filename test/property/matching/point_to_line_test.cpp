@@ -48,6 +48,34 @@ Points smallScene(std::mt19937_64& random) {
   return points;
 }
 
+TEST(SurfaceModelLaws, PointsAskedForAgainHaveThePartnersOfNewOnes) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const Points reference = smallScene(random);
+    const Points scan = smallScene(random);
+    SurfaceModel remembering(reference);
+    int partners = 0;
+    for (int step = 0; step < 60; ++step) {
+      const double size = step % 3 == 0 ? 0.3 : 0.01;  // now and then far, mostly near by
+      const double reach = step % 5 == 0 ? 0.4 : 0.1;
+      const Pose2 pose = test::randomPose(size, size, random);
+      SurfaceModel forgetful(reference);
+      for (std::size_t i = 0; i < scan.size(); ++i) {
+        const auto* again = remembering.partnerOf(i, pose * scan[i], reach);
+        const auto anew = forgetful.partnerOf(pose * scan[i], reach);
+        ASSERT_EQ(again != nullptr, anew.has_value());
+        if (again != nullptr) {
+          EXPECT_EQ(again->point, anew->point);
+          ++partners;
+        }
+      }
+    }
+    EXPECT_GT(partners, 1000);
+    EXPECT_LT(partners, 60 * static_cast<int>(scan.size()));
+  }
+}
+
 TEST(PointToLineLaws, GradientAgreesWithDifferencesOfTheCost) {
   const DistanceKernel kernel{0.3, 0.02, 0.05};
   for (const auto seed : test::seeds()) {
