@@ -281,11 +281,12 @@ void LocalMap::drawBeam(const Eigen::Vector2d& laser, const Eigen::Vector2d& end
   for (int along = first; along != last; along += step, place += rise) {
     const std::int64_t across = place >> 32;
     Evidence& evidence = cells[along * along_stride + across * across_stride];
-    if (evidence.claim == number) {
+    const int before = evidence.odds;
+    // What can't become less likely, as most cells, needs no claim either: it is no wall's.
+    if (before == kLeastOdds || evidence.claim == number) {
       continue;
     }
     evidence.claim = number;
-    const int before = evidence.odds;
     evidence.odds = static_cast<std::int16_t>(std::max(before + kMiss, kLeastOdds));
     if (before > 0) {
       grid::Cell cell;

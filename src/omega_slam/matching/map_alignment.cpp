@@ -19,7 +19,39 @@ constexpr double kSmallestStep = 0.05;  // [cells] ends the search
 constexpr double kSmallestTurn = 5e-3;  // [rad] likewise
 constexpr double kSmallestGain = 1e-3;  // likewise: share of the cost that a step saves
 
-/// @param sums of v v^T, v being the derivatives of M by (x, y, theta), and 1 - M; in cells
+/// Sums of v v^T, v being the derivatives of M by (x, y, theta), and 1 - M; in cells. Kept one by
+/// one, in registers: half of the matrix is the other half.
+struct Sums {
+  double xx{0.0};
+  double xy{0.0};
+  double xt{0.0};
+  double xr{0.0};
+  double yy{0.0};
+  double yt{0.0};
+  double yr{0.0};
+  double tt{0.0};
+  double tr{0.0};
+  double rr{0.0};
+
+  void add(double x, double y, double t, double r) {
+    xx += x * x;
+    xy += x * y;
+    xt += x * t;
+    xr += x * r;
+    yy += y * y;
+    yt += y * t;
+    yr += y * r;
+    tt += t * t;
+    tr += t * r;
+    rr += r * r;
+  }
+
+  [[nodiscard]] Eigen::Matrix4d matrix() const {
+    return (Eigen::Matrix4d() << xx, xy, xt, xr, xy, yy, yt, yr, xt, yt, tt, tr, xr, yr, tr, rr)
+        .finished();
+  }
+};
+
 /// @param scale cells per metre
 MapLinearization inMetres(const Eigen::Matrix4d& sums, double scale) {
   const Eigen::Vector4d units(scale, scale, 1.0, 1.0);
@@ -40,14 +72,14 @@ MapLinearization linearize(const LocalMap& map, std::size_t level, const Points&
       ((T_map_scan.translation() - geometry.origin) * scale).array() - 0.5;
   const double end_x = geometry.width - 1;
   const double end_y = geometry.height - 1;
-  Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+  Sums sums;
   for (const Eigen::Vector2d& p_scan : scan) {
     const double arm_x = turn(0, 0) * p_scan.x() + turn(0, 1) * p_scan.y();
     const double arm_y = turn(1, 0) * p_scan.x() + turn(1, 1) * p_scan.y();
     const double x = place.x() + arm_x;
     const double y = place.y() + arm_y;
     if (!(x >= 0.0 && y >= 0.0 && x < end_x && y < end_y)) {
-      sums(3, 3) += 1.0;
+      sums.rr += 1.0;
       continue;
     }
     const int column = static_cast<int>(x);
@@ -63,10 +95,9 @@ MapLinearization linearize(const LocalMap& map, std::size_t level, const Points&
     const double gx = kUnit * slope_x;
     const double gy = kUnit * (above - below);
     const double residual = 1.0 - kUnit * (below + share_y * (above - below));
-    const Eigen::Vector4d v(gx, gy, gy * arm_x - gx * arm_y, residual);
-    sums.noalias() += v * v.transpose();
+    sums.add(gx, gy, gy * arm_x - gx * arm_y, residual);
   }
-  return inMetres(sums, scale);
+  return inMetres(sums.matrix(), scale);
 }
 
 namespace {
