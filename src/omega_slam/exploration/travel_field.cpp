@@ -19,37 +19,42 @@ constexpr std::uint32_t costOf(std::size_t neighbour) {
 
 TravelField::TravelField(const StandingRoom& room, const Eigen::Vector2d& start, double snap)
     : room_(&room), steps_(room.geometry().size(), kNowhere) {
+  for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
+    ways_[k] = static_cast<Index>(kNeighbours[k].y()) * room.geometry().width + kNeighbours[k].x();
+  }
   spread(room.nearestRoom(start, snap));
 }
 
-bool TravelField::canStep(const Cell& from, std::size_t neighbour) const {
-  const Cell step = kNeighbours[neighbour];
-  return room_->hasRoomAt(from + step) &&
-         (neighbour < kEdgeNeighbours || (room_->hasRoomAt(from + Cell(step.x(), 0)) &&
-                                          room_->hasRoomAt(from + Cell(0, step.y()))));
+bool TravelField::canStep(Index from, std::size_t neighbour) const {
+  const auto isOpen = [&](std::size_t k) { return hasRoomAt(from + ways_[k]); };
+  if (neighbour < kEdgeNeighbours) {
+    return isOpen(neighbour);
+  }
+  const std::size_t before = neighbour - kEdgeNeighbours;  // a corner lies between two edges
+  return isOpen(neighbour) && isOpen(before) && isOpen((before + 1) % kEdgeNeighbours);
 }
 
 void TravelField::spread(const std::vector<Cell>& from) {
   // What is still to come lies within the cost of one step, so a ring of buckets holds it (Dial,
   // "Algorithm 360: Shortest-Path Forest with Topological Ordering", 1969).
-  std::array<std::vector<Cell>, kAcross + 1> ring;
+  std::array<std::vector<Index>, kAcross + 1> ring;
   for (const Cell& cell : from) {
-    at(cell) = 0;
-    ring[0].push_back(cell);
+    at(indexOf(cell)) = 0;
+    ring[0].push_back(indexOf(cell));
   }
   std::size_t waiting = from.size();
   for (Steps now = 0; waiting > 0; ++now) {
-    std::vector<Cell> bucket;
+    std::vector<Index> bucket;
     bucket.swap(ring[now % ring.size()]);
     waiting -= bucket.size();
-    for (const Cell& cell : bucket) {
+    for (const Index cell : bucket) {
       if (at(cell) != now) {
         continue;  // a shorter way was found meanwhile
       }
-      for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
-        const Cell next = cell + kNeighbours[k];
+      for (std::size_t k = 0; k < ways_.size(); ++k) {
+        const Index next = cell + ways_[k];
         const Steps steps = now + costOf(k);
-        if (canStep(cell, k) && steps < at(next)) {
+        if (steps < at(next) && canStep(cell, k)) {
           at(next) = steps;
           ring[steps % ring.size()].push_back(next);
           ++waiting;
@@ -60,10 +65,10 @@ void TravelField::spread(const std::vector<Cell>& from) {
 }
 
 std::optional<double> TravelField::distanceTo(const Cell& cell) const {
-  if (!room_->hasRoomAt(cell) || at(cell) == kNowhere) {
+  if (!room_->hasRoomAt(cell) || at(indexOf(cell)) == kNowhere) {
     return std::nullopt;
   }
-  return static_cast<double>(at(cell)) / kAlong * room_->geometry().resolution;
+  return static_cast<double>(at(indexOf(cell))) / kAlong * room_->geometry().resolution;
 }
 
 std::vector<Eigen::Vector2d> TravelField::pathTo(const Cell& cell) const {
@@ -73,10 +78,10 @@ std::vector<Eigen::Vector2d> TravelField::pathTo(const Cell& cell) const {
   }
   Cell here = cell;
   path.push_back(room_->geometry().center(here - room_->corner()));
-  while (at(here) > 0) {
+  while (at(indexOf(here)) > 0) {
     for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
       const Cell before = here + kNeighbours[k];
-      if (canStep(here, k) && at(before) + costOf(k) == at(here)) {
+      if (canStep(indexOf(here), k) && at(indexOf(before)) + costOf(k) == at(indexOf(here))) {
         here = before;
         break;
       }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -28,17 +30,22 @@ class TravelField {
 
  private:
   using Steps = std::uint32_t;
-  [[nodiscard]] bool canStep(const Cell& from, std::size_t neighbour) const;
-  [[nodiscard]] Steps& at(const Cell& cell) {
-    return steps_[room_->geometry().index(cell - room_->corner())];
+  using Index = std::ptrdiff_t;  ///< of a cell of the map
+  [[nodiscard]] Index indexOf(const Cell& cell) const {
+    return static_cast<Index>(room_->geometry().index(cell - room_->corner()));
   }
-  [[nodiscard]] Steps at(const Cell& cell) const {
-    return steps_[room_->geometry().index(cell - room_->corner())];
+  [[nodiscard]] bool hasRoomAt(Index cell) const {
+    return room_->room()[static_cast<std::size_t>(cell)] != 0;
   }
+  [[nodiscard]] bool canStep(Index from, std::size_t neighbour) const;
+  [[nodiscard]] Steps& at(Index cell) { return steps_[static_cast<std::size_t>(cell)]; }
+  [[nodiscard]] Steps at(Index cell) const { return steps_[static_cast<std::size_t>(cell)]; }
   void spread(const std::vector<Cell>& from);
 
   const StandingRoom* room_;
-  std::vector<Steps> steps_;  ///< fifths of a cell
+  std::array<Index, 8> ways_{};  ///< from a cell to its neighbours. Those with room lie within the
+                                 ///< edge of the map, so they have all of them
+  std::vector<Steps> steps_;     ///< fifths of a cell
 };
 
 }  // namespace omega_slam::exploration
