@@ -129,6 +129,7 @@ class Explorer {
   Order whenNothingIsLeft();
   Order endExploring(Ending ending, std::string reason);
   Order cancel();
+  [[nodiscard]] bool isAnythingLeft(double now, const geometry::Pose2& T_map_base);
   Order comeHome(double now, const geometry::Pose2& T_map_base);
   Order end(const std::string& addition);
   void dropGoal();

@@ -158,6 +158,13 @@ Order Explorer::cancel() {
 Order Explorer::comeHome(double now, const Pose2& T_map_base) {
   constexpr double kAtHome = 0.3;  // [m]
   constexpr int kMaxAttempts = 3;  // to get there
+  if (ending_ == Ending::kDone && map_is_new_ && isAnythingLeft(now, T_map_base)) {
+    dropGoal();
+    ending_ = Ending::kNone;
+    reason_.clear();
+    phase_ = Phase::kExploring;
+    return {};
+  }
   if (goal_state_ == GoalState::kDriving) {
     return {};
   }
@@ -170,18 +177,12 @@ Order Explorer::comeHome(double now, const Pose2& T_map_base) {
   if (failures_ >= kMaxAttempts) {
     return end(" The way home could not be driven.");
   }
-  if (!is_home) {
-    return goTo(*home_, 0);
-  }
-  // On the way the map may have changed.
-  const Survey survey = surveyFrom(T_map_base);
-  if (ending_ == Ending::kDone && !optionsNow(survey, now).empty()) {
-    ending_ = Ending::kNone;
-    reason_.clear();
-    phase_ = Phase::kExploring;
-    return {};
-  }
-  return end(" The robot is home.");
+  return is_home ? end(" The robot is home.") : goTo(*home_, 0);
+}
+
+bool Explorer::isAnythingLeft(double now, const Pose2& T_map_base) {
+  map_is_new_ = false;
+  return !optionsNow(surveyFrom(T_map_base), now).empty();
 }
 
 Order Explorer::end(const std::string& addition) {

@@ -216,6 +216,31 @@ TEST(Explorer, KeepsItsBudgets) {
   EXPECT_NEAR(driven.explorer.progress().distance, 3.0, 0.5);
 }
 
+TEST(Explorer, OnTheWayHomeTurnsToWhatAppears) {
+  UnderWay run;
+  while (run.explorer.phase() != Phase::kReturning) {
+    run.robot.tick(run.explorer);
+  }
+  run.robot.tick(run.explorer);
+  ASSERT_GT(geometry::distance(run.robot.pose(), kStart), 1.0);
+  const auto whole = std::make_shared<grid::OccupancyGrid>(run.robot.map());
+  const auto holed = std::make_shared<grid::OccupancyGrid>(run.robot.map());
+  const grid::Cell corner = holed->geometry.cellAt({8.0, 0.5});
+  for (int i = 0; i < 100; ++i) {
+    holed->at(corner + grid::Cell(i % 10, i / 10)) = grid::kUnknown;
+  }
+  run.explorer.showMap(holed);
+  (void)run.explorer.update(run.robot.now() + 0.1, run.robot.pose());
+  ASSERT_EQ(run.explorer.phase(), Phase::kExploring);
+  EXPECT_EQ(run.explorer.ending(), Ending::kNone);
+  const Order order = run.explorer.update(run.robot.now() + 0.2, run.robot.pose());
+  ASSERT_EQ(order.kind, Order::Kind::kGo);
+  EXPECT_LT((order.goal.T_map_base.translation() - Eigen::Vector2d(8.25, 0.75)).norm(), 1.0);
+  run.explorer.showMap(whole);
+  EXPECT_TRUE(run.robot.run(run.explorer, 500));
+  EXPECT_THAT(run.explorer.reason(), HasSubstr("home"));
+}
+
 TEST(Explorer, StaysWithinAnArea) {
   ExplorerConfig config = configOf("nearest_to_robot");
   config.area = {0.0, 0.0, 3.5, 0.0, 3.5, 3.0, 0.0, 3.0};
