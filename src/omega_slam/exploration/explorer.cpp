@@ -278,9 +278,13 @@ Order Explorer::choose(const Survey& survey, const std::vector<Option>& options,
   if (!strategy_) {
     return stepAlongWall(survey, T_map_base);
   }
-  const Situation situation{options, T_map_base, home_->translation(), [&](std::size_t from) {
-                              return survey.travelBetween(options[from], options);
-                            }};
+  const Situation situation{
+      options, T_map_base, home_->translation(),
+      [&](std::size_t from) { return survey.travelBetween(options[from], options); },
+      [&] {
+        return config_.return_home ? survey.travelBetween(options, home_->translation())
+                                   : std::vector<double>(options.size(), 0.0);
+      }};
   const Option& chosen = options[strategy_->choose(situation)];
   return goTo(chosen.viewpoint.T_map_base, chosen.frontier);
 }

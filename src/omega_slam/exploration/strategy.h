@@ -25,6 +25,10 @@ struct Situation {
   /// [m] lengths of the ways from the viewpoint of an option to those of all, in their order; where
   /// there is no way, infinity. Costs a search of the map.
   std::function<std::vector<double>(std::size_t option)> travelFrom;
+
+  /// [m] likewise of the ways from all to where the robot is to be in the end; zeros if it may end
+  /// anywhere.
+  std::function<std::vector<double>()> travelHome;
 };
 
 /// Says which frontier to explore next. Deterministic.

@@ -90,9 +90,14 @@ double Survey::travelBetween(const Eigen::Vector2d& from, const Eigen::Vector2d&
 }
 
 std::vector<double> Survey::travelBetween(const Option& from, const std::vector<Option>& to) const {
-  const TravelField field(room_, from.viewpoint.T_map_base.translation(), kSnap);
+  return travelBetween(to, from.viewpoint.T_map_base.translation());
+}
+
+std::vector<double> Survey::travelBetween(const std::vector<Option>& from,
+                                          const Eigen::Vector2d& to) const {
+  const TravelField field(room_, to, kSnap);  // ways are as long in both directions
   std::vector<double> lengths;
-  for (const Option& option : to) {
+  for (const Option& option : from) {
     lengths.push_back(field.distanceTo(view_.cellAt(option.viewpoint.T_map_base.translation()))
                           .value_or(std::numeric_limits<double>::infinity()));
   }

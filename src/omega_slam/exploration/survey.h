@@ -37,6 +37,10 @@ class Survey {
   [[nodiscard]] std::vector<double> travelBetween(const Option& from,
                                                   const std::vector<Option>& to) const;
 
+  /// [m] from the viewpoints of all options to a place; infinity where there is no way.
+  [[nodiscard]] std::vector<double> travelBetween(const std::vector<Option>& from,
+                                                  const Eigen::Vector2d& to) const;
+
   /// [m] of the way to a point of the map frame, or to as near as the robot is wide; none if there
   /// is no way.
   [[nodiscard]] std::optional<double> travelTo(const Eigen::Vector2d& point) const;

@@ -8,8 +8,11 @@
 
 namespace omega_slam::exploration {
 
-/// All frontiers in the order in which visiting them makes the shortest way, of which the first is
-/// taken: the nearest frontier leaves small ones behind, for which the robot must come back.
+/// All frontiers in the best order, with the way home at the end, of which the first is taken: the
+/// nearest frontier leaves small ones behind, for which the robot must come back. Best is what
+/// makes the way short and reaches frontiers early: by the way alone, where all ways branch as in a
+/// maze, it does not matter which branch comes first, and a far one would be as good as the
+/// nearest.
 ///
 /// With many frontiers only the nearest few are ordered: how far away ones are visited matters
 /// little now.
@@ -18,17 +21,18 @@ class Tour : public Strategy {
   [[nodiscard]] std::size_t choose(const Situation& situation) const override;
 };
 
-/// Lengths of ways between stops: [from][to]. Stop 0 is where the tour begins.
-using TravelMatrix = std::vector<std::vector<double>>;
+/// What ways between stops cost.
+struct TourCosts {
+  std::vector<double> start;                 ///< from where the tour begins to each stop
+  std::vector<std::vector<double>> between;  ///< [from][to]
+  std::vector<double> end;                   ///< from each stop to where the tour ends
+};
 
-/// An open tour through all stops that begins at stop 0 and ends anywhere: built by inserting the
-/// stop that costs least where it costs least, then improved by turning sections around (2-opt,
-/// Croes, "A Method for Solving Traveling-Salesman Problems", 1958) until none helps. Ways are as
-/// long in both directions. Deterministic; time is cubic in the number of stops.
-/// @return stops in order, 0 first; empty for an empty matrix
-[[nodiscard]] std::vector<std::size_t> shortTour(const TravelMatrix& travel);
-
-/// [m] of a tour.
-[[nodiscard]] double lengthOf(const std::vector<std::size_t>& tour, const TravelMatrix& travel);
+/// For each stop, what the best tour costs that goes to it first, then through all others and to
+/// the end: its length, and for each stop the way until it is reached (travelling salesman and
+/// repairman in one), by dynamic programming over sets of stops (Held and Karp, "A Dynamic
+/// Programming Approach to Sequencing Problems", 1962). Time grows with n^2 2^n, memory with n 2^n.
+/// @return as many costs as there are stops
+[[nodiscard]] std::vector<double> costsByFirst(const TourCosts& costs);
 
 }  // namespace omega_slam::exploration

@@ -31,6 +31,7 @@ Situation situation() {
     }
     return lengths;
   };
+  result.travelHome = [count = result.options.size()] { return std::vector<double>(count, 0.0); };
   return result;
 }
 
@@ -50,6 +51,7 @@ TEST(Strategies, AmongEqualsTheOldestFrontierIsTaken) {
   Situation now = situation();
   now.options = {option(7, 1.0, 0.0, 1.0, 1.0, 0.0), option(5, -1.0, 0.0, 1.0, 1.0, 0.0)};
   now.travelFrom = [](std::size_t) { return std::vector<double>{2.0, 2.0}; };
+  now.travelHome = [] { return std::vector<double>{0.0, 0.0}; };
   for (const std::string& name : strategyNames()) {
     if (name != kWallFollowing && name != "nearest_to_origin") {
       EXPECT_EQ(now.options[makeStrategy(name)->choose(now)].frontier, 5U) << name;
@@ -64,23 +66,52 @@ TEST(Strategies, AllNamesAreKnownAndNoOthers) {
   EXPECT_THROW((void)makeStrategy("nearest"), std::invalid_argument);
 }
 
-TEST(Tour, TakesWhatLiesOnTheWay) {
-  // The robot at 0; a stop at -1 and others at 2, 3, 4: the nearest first saves the way back.
-  const std::vector<double> at{0.0, 2.0, -1.0, 4.0, 3.0};
-  TravelMatrix travel(at.size(), std::vector<double>(at.size()));
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      travel[i][k] = std::abs(at[i] - at[k]);
+/// Stops on a line [m], the robot at 0, home at the other place.
+TourCosts onALine(const std::vector<double>& stops, double home) {
+  TourCosts costs;
+  for (const double from : stops) {
+    costs.start.push_back(std::abs(from));
+    costs.end.push_back(std::abs(from - home));
+    costs.between.emplace_back();
+    for (const double to : stops) {
+      costs.between.back().push_back(std::abs(from - to));
     }
   }
-  const auto tour = shortTour(travel);
-  EXPECT_THAT(tour, ElementsAre(0, 2, 1, 4, 3));
-  EXPECT_DOUBLE_EQ(lengthOf(tour, travel), 6.0);
+  return costs;
 }
 
-TEST(Tour, OfOneStopOrNone) {
-  EXPECT_THAT(shortTour({{0.0}}), ElementsAre(0));
-  EXPECT_TRUE(shortTour({}).empty());
+TEST(Tour, CostsItsLengthAndTheWaysUntilStopsAreReached) {
+  EXPECT_THAT(costsByFirst(onALine({2.0}, 3.0)), ElementsAre(3.0 + 2.0));
+  // The best tours are 2, 4, -1; or -1, 2, 4; or 4, 2, -1; then home at -3.
+  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0)),
+              ElementsAre(11.0 + 2.0 + 4.0 + 9.0, 13.0 + 1.0 + 4.0 + 6.0, 11.0 + 4.0 + 6.0 + 9.0));
+  EXPECT_TRUE(costsByFirst({}).empty());
+}
+
+/// Which of the stops on a line a tour that ends at home goes to first.
+double firstOnALine(const std::vector<double>& stops, double home) {
+  Situation now;
+  for (const double stop : stops) {
+    now.options.push_back(option(now.options.size() + 1, stop, 0.0, std::abs(stop), 1.0, 0.0));
+  }
+  const TourCosts costs = onALine(stops, home);
+  now.travelFrom = [&](std::size_t from) { return costs.between[from]; };
+  now.travelHome = [&] { return costs.end; };
+  return stops[makeStrategy("tour")->choose(now)];
+}
+
+TEST(Tour, LeavesForLastWhatLiesOnTheWayHome) {
+  EXPECT_EQ(firstOnALine({-5.0, 6.0}, -9.0), 6.0);
+  EXPECT_EQ(firstOnALine({-5.0, 6.0}, 9.0), -5.0);
+}
+
+TEST(Tour, IfItIsAsShortEitherWayRoundTakesTheNearestFirst) {
+  EXPECT_EQ(firstOnALine({5.0, -3.0}, 0.0), -3.0);
+  EXPECT_EQ(firstOnALine({11.0, 5.0, 8.0}, 0.0), 5.0);
+}
+
+TEST(Tour, TakesAlongTheSmallOneThatWouldBeLeftBehind) {
+  EXPECT_EQ(firstOnALine({2.0, 3.0, 4.0, -1.0}, 4.0), -1.0);
 }
 
 TEST(InformationGain, IsTheUnknownAreaInReachThatNoWallHides) {
