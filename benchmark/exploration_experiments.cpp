@@ -34,12 +34,36 @@ struct Arguments {
   std::string out;
 };
 
+/// A strategy and its runs.
+struct Share {
+  std::string strategy;
+  int seeds;
+};
+
+/// Of NAME or NAME=N; an empty name if it is neither.
+Share shareOf(const std::string& text, int usual_seeds) {
+  const std::string name = text.substr(0, text.find('='));
+  const std::string number = name.size() < text.size() ? text.substr(name.size() + 1) : "";
+  const std::vector<std::string> known = exploration::strategyNames();
+  int seeds = usual_seeds;
+  const bool is_valid = std::find(known.begin(), known.end(), name) != known.end() &&
+                        (name.size() == text.size() || CLI::detail::lexical_cast(number, seeds));
+  return {is_valid ? name : "", seeds};
+}
+
+std::string checkShare(const std::string& text) {
+  return !shareOf(text, 1).strategy.empty()
+             ? ""
+             : fmt::format("\"{}\" is none of {}, nor one of them with =N.", text,
+                           fmt::join(exploration::strategyNames(), ", "));
+}
+
 void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("WORLD", arguments.world, "a world file, or a map_server map")->required();
   app.add_option("--urdf", arguments.urdf, "the robot's description")->required();
   app.add_option("--name", arguments.name, "of the world; default: that of its file");
-  app.add_option("--strategies", arguments.strategies)
-      ->check(CLI::IsMember(exploration::strategyNames()))
+  app.add_option("--strategies", arguments.strategies, "NAME, or NAME=N for N runs of it")
+      ->check(checkShare)
       ->delimiter(',');
   app.add_option("--seeds", arguments.seeds, "runs of each strategy")->capture_default_str();
   app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
@@ -116,6 +140,16 @@ void writeBound(const Arguments& arguments, const std::string& name, const Place
   }
 }
 
+void tell(const RunOutcome& outcome, const std::string& run) {
+  fmt::print(
+      "{}: {} {:.0f} s, {:.1f} m, {:.2f} % seen, home {:.2f} m, {} collisions, {} of them unseen. "
+      "{}\n",
+      run, toString(outcome.ending), outcome.end.time, outcome.end.distance,
+      100.0 * outcome.end.coverage, outcome.from_home, outcome.contacts.size(), unseenOf(outcome),
+      outcome.reason);
+  std::fflush(stdout);
+}
+
 void run(const Arguments& arguments) {
   const Place place = loadPlace(arguments.world);
   const std::string name = arguments.name.empty()
@@ -132,27 +166,25 @@ void run(const Arguments& arguments) {
   }
   Tables tables(arguments.out, name);
   for (int seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
-    for (const std::string& strategy : arguments.strategies) {
+    for (const std::string& text : arguments.strategies) {
+      const Share share = shareOf(text, arguments.seeds);
+      if (seed >= arguments.first_seed + share.seeds) {
+        continue;
+      }
       RunSetup setup{place.world,       &seeable, place.T_world_start,
                      footprint,         {},       static_cast<std::uint64_t>(seed),
                      arguments.patience};
-      setup.explorer.strategy = strategy;
+      setup.explorer.strategy = share.strategy;
       setup.explorer.seed = seed;
       const bool elsewhere = arguments.random_starts && seed != 1;
       if (elsewhere) {
         setup.T_world_start = randomStart(place, footprint.circumscribed_radius, setup.seed);
       }
       const RunOutcome outcome = explore(setup);
-      tables.add(name, strategy, seed, elsewhere, seeable.area(), outcome);
-      const std::string stem = fmt::format("{}_{}_{}", name, strategy, seed);
+      tables.add(name, share.strategy, seed, elsewhere, seeable.area(), outcome);
+      tell(outcome, fmt::format("{} {} {}", name, share.strategy, seed));
+      const std::string stem = fmt::format("{}_{}_{}", name, share.strategy, seed);
       (void)grid::saveMap(outcome.map, std::filesystem::path(arguments.out) / "maps" / stem);
-      fmt::print(
-          "{} {} {}: {} {:.0f} s, {:.1f} m, {:.2f} % seen, home {:.2f} m, {} collisions, {} of "
-          "them unseen. {}\n",
-          name, strategy, seed, toString(outcome.ending), outcome.end.time, outcome.end.distance,
-          100.0 * outcome.end.coverage, outcome.from_home, outcome.contacts.size(),
-          unseenOf(outcome), outcome.reason);
-      std::fflush(stdout);
     }
   }
 }
