@@ -40,14 +40,15 @@ struct Share {
   int seeds;
 };
 
-/// Of NAME or NAME=N; an empty name if it is neither.
+/// Of NAME or NAME=N, N > 0; an empty name if it is neither.
 Share shareOf(const std::string& text, int usual_seeds) {
   const std::string name = text.substr(0, text.find('='));
   const std::string number = name.size() < text.size() ? text.substr(name.size() + 1) : "";
   const std::vector<std::string> known = exploration::strategyNames();
   int seeds = usual_seeds;
-  const bool is_valid = std::find(known.begin(), known.end(), name) != known.end() &&
-                        (name.size() == text.size() || CLI::detail::lexical_cast(number, seeds));
+  const bool is_valid =
+      std::find(known.begin(), known.end(), name) != known.end() &&
+      (name.size() == text.size() || (CLI::detail::lexical_cast(number, seeds) && seeds > 0));
   return {is_valid ? name : "", seeds};
 }
 

@@ -31,10 +31,16 @@ def drawRooms(folder):
 
 
 def explore(program, world, out):
-    subprocess.run([program, world, '--urdf', SOURCE / 'urdf/turtlebot2.urdf', '--strategies',
-                    'tour', '--bound', '--out', out], check=True)
+    subprocess.run([program, world, '--urdf', SOURCE / 'urdf/turtlebot2.urdf', '--seeds', '2',
+                    '--strategies', 'tour=1', '--bound', '--out', out], check=True)
     (row,) = readTable(out / 'runs_rooms.csv')
     return row
+
+
+def isRefused(program, world, strategies, out):
+    return subprocess.run([program, world, '--urdf', SOURCE / 'urdf/turtlebot2.urdf',
+                           '--strategies', strategies, '--out', out],
+                          stderr=subprocess.DEVNULL, check=False).returncode != 0
 
 
 def main():
@@ -48,6 +54,8 @@ def main():
         assert run['ended'] == 1 and run['ending'] == 'done', run
         assert run['coverage'] >= 0.99 and run['collisions'] == 0, run
         assert run['from_home'] <= 0.5, run
+        for strategies in ('fastest', 'tour=', 'tour=few', 'tour=0', 'tour=1.5'):
+            assert isRefused(program, world, strategies, out / 'refused'), strategies
         again = explore(program, world, out / 'again')
         assert [again[key] for key in ('time', 'distance')] == [run['time'], run['distance']]
         page = SOURCE / 'docs/experiments/exploration.md'
