@@ -18,6 +18,11 @@ def runSection(results):
             'RelWithDebInfo.\n')
 
 
+def isComplete(row):
+    """Whether a run has seen all and come home: others are short for other reasons."""
+    return isDone(row) and row['coverage'] >= COVERED and row['from_home'] <= AT_HOME
+
+
 def boundOf(results, world):
     """[m] Least length of a way that sees all; None if unknown, or nothing."""
     has_bound = results.has('bound', world)
@@ -44,11 +49,14 @@ def boundsSection(results):
     for world in results.worlds():
         if (bound := boundOf(results, world)) is not None:
             places = results.table('bound', world)[0]['witnesses']
-            shortest = min(results.runs(world), key=lambda row: row['distance'])
+            complete = filter(isComplete, results.runs(world))
+            shortest = min(complete, key=lambda row: row['distance'], default=None)
+            if shortest is None:
+                continue
             table.append([world, f'{bound:.0f}', f'{places:.0f}', f'{shortest["distance"]:.0f}',
                           f'{shortest["distance"] / bound:.1f}'])
     return table and markdownTable(
-        ['world', 'bound (m)', 'places', 'shortest run (m)', 'to bound'], table)
+        ['world', 'bound (m)', 'places', 'shortest whole run (m)', 'to bound'], table)
 
 
 def strategiesSection(results):
