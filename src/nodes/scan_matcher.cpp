@@ -8,6 +8,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "nodes/common/odometry_track.h"
 #include "nodes/common/run_publisher.h"
 #include "nodes/common/scan_queue.h"
+#include "nodes/common/sequence_gaps.h"
 #include "nodes/common/slam_conversions.h"
 #include "nodes/common/tf_lookup.h"
 #include "omega_slam/sensing/frozen_laser.h"
@@ -72,7 +74,12 @@ class ScanMatcherNode {
   void shutdown() { loops_.stop(); }
 
  private:
-  void onScan(const sensor_msgs::LaserScan::ConstPtr& message) {
+  void onScan(const ros::MessageEvent<const sensor_msgs::LaserScan>& event) {
+    const sensor_msgs::LaserScan::ConstPtr message = event.getConstMessage();
+    const auto lost = scan_gaps_.lostBefore(event.getPublisherName(), message->header.seq);
+    for (std::uint32_t scan = 0; scan < lost; ++scan) {
+      diagnostics_.reject("scan lost on its way", "This node or the machine is too busy.");
+    }
     WaitingScan waiting{message, scanFromRos(*message), 0.0, ros::SteadyTime::now().toSec()};
     waiting.end = waiting.scan.stamp + sensing::sweepDuration(waiting.scan);
     if (queue_.push(std::move(waiting))) {
@@ -272,6 +279,7 @@ class ScanMatcherNode {
   sensing::FrozenLaser frozen_laser_;
   slam::FrontEnd front_end_;
   OdometryTrack track_;
+  SequenceGaps scan_gaps_;
   ScanQueue queue_;
   double newest_scan_{kNever};  ///< [s] stamp of the newest scan served
   std::size_t matches_trusted_{0};
