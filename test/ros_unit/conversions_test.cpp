@@ -42,6 +42,17 @@ TEST(Conversions, PosesComeBackAsTheyWent) {
   }
 }
 
+TEST(Conversions, WhatWasReadOnceIsReadAgainToTheLastBit) {
+  for (int k = -500; k < 500; ++k) {
+    const Pose2 first = poseFromRos(poseToRos({0.1 * k, 1.0 / 3.0, 0.0062831 * k})).value();
+    const Pose2 again = poseFromRos(poseToRos(first)).value();
+    EXPECT_EQ(again.x, first.x);
+    EXPECT_EQ(again.y, first.y);
+    EXPECT_EQ(again.theta, first.theta);
+    EXPECT_EQ(poseFromRos(transformToRos(first))->theta, first.theta);
+  }
+}
+
 TEST(Conversions, HeadingsAreBroughtIntoTheHalfOpenInterval) {
   omega_slam::Pose2 message;
   message.theta = 3.0 * geometry::kPi;

@@ -11,7 +11,6 @@ import time
 
 import numpy
 import rosbag
-import roslib.packages
 
 import replay_support
 
@@ -52,13 +51,6 @@ def watch(ros, recorder, patience):
     return {node: (end[node] - begin[node]) / (now - start) for node in processes}
 
 
-def offline(bag, folder):
-    program = roslib.packages.find_node('omega_slam', 'omega_slam_offline')[0]
-    subprocess.run([program, str(bag), '--out', str(folder)], check=True, stdout=subprocess.DEVNULL,
-                   stderr=subprocess.DEVNULL)
-    return folder
-
-
 def main():
     parser = argparse.ArgumentParser(
         prog='scripts/live_bag',
@@ -83,7 +75,8 @@ def main():
             print(f'{node:>14} {100.0 * share:6.2f} % of a processor')
         print(f'{"together":>14} {100.0 * sum(shares.values()):6.2f} %')
         recorded = replay_support.readTrajectory(folder / 'live' / 'results')
-        computed = replay_support.readTrajectory(offline(arguments.bag, folder / 'offline'))
+        computed = replay_support.readTrajectory(
+            replay_support.offline(arguments.bag, folder / 'offline'))
         _, distances, turns = replay_support.differencesOfPoses(recorded, computed)
         print(f'{len(distances)} of {len(computed)} scans; from the offline tool: mean '
               f'{numpy.mean(distances):.4f} m, largest {max(distances):.4f} m and '

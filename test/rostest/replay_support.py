@@ -190,6 +190,37 @@ def replay(run, bag, folder):
         ros.waitFor('The replay ends', lambda: recorder.poll() is not None, run.patience)
 
 
+def offline(bag, folder, limit=0.0):
+    """The offline tool's results of a bag. @param limit [s] of the bag; 0: all"""
+    program = roslib.packages.find_node('omega_slam', 'omega_slam_offline')[0]
+    subprocess.run([program, str(bag), '--out', str(folder), '--limit', str(limit)], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return folder
+
+
+def firstScan(bag):
+    """@return its stamp [s]"""
+    with rosbag.Bag(str(bag)) as source:
+        return next(message.header.stamp.to_sec()
+                    for _, message, _ in source.read_messages(topics=['/scan']))
+
+
+def differenceFromOffline(run, bag, folder):
+    """Replays a bag, computes it offline, both to the same scan.
+
+    @return distances [m] and turns [rad] between the poses of all scans that the replay has used
+    """
+    folder = pathlib.Path(folder)
+    replay(run, bag, folder / 'live')
+    replayed = readTrajectory(folder / 'live' / 'results')
+    limit = max(replayed) - firstScan(bag) + 1e-3
+    computed = readTrajectory(offline(bag, folder / 'offline', limit))
+    if max(replayed) - min(replayed) < 0.9 * run.duration or not set(replayed) <= set(computed):
+        raise RuntimeError(f'{len(replayed)} scans replayed, {len(computed)} computed offline.')
+    _, distances, turns = differencesOfPoses(replayed, computed)
+    return distances, turns
+
+
 def readTrajectory(results):
     """@return {stamp [s]: (x [m], y [m], theta [rad])}"""
     rows = numpy.loadtxt(results / 'trajectory.tum', ndmin=2)

@@ -14,6 +14,11 @@ namespace {
 // Drivers round to a few digits; a quaternion farther from unit length than this is not one.
 constexpr double kQuaternionTolerance = 0.01;
 
+// Headings are read to the nearest of these [rad], 2^-40, about 1e-12. What sine, cosine and arc
+// tangent have lost is so given back: a pose comes out of any number of messages as it went into
+// the first.
+constexpr double kHeadingStep = 1.0 / (std::uint64_t{1} << 40U);
+
 // x, y and yaw among x, y, z, rotX, rotY, rotZ.
 constexpr std::array<int, 3> kPlanarAxes{0, 1, 5};
 
@@ -37,7 +42,8 @@ std::optional<geometry::Pose2> planarPose(double x, double y, const geometry_msg
   if (!isRotation(q)) {
     return std::nullopt;
   }
-  const geometry::Pose2 pose{x, y, geometry::normalizeAngle(yawOf(q))};
+  const double yaw = kHeadingStep * std::nearbyint(yawOf(q) / kHeadingStep);
+  const geometry::Pose2 pose{x, y, geometry::normalizeAngle(yaw)};
   return pose.isFinite() ? std::optional(pose) : std::nullopt;
 }
 

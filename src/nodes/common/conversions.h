@@ -29,8 +29,9 @@ namespace omega_slam {
 /// Whether four numbers are finite and, up to rounding, a unit quaternion.
 [[nodiscard]] bool isRotation(const geometry_msgs::Quaternion& quaternion);
 
-/// The plane's share of a pose in space: x, y and yaw. None if a number is not finite or the
-/// quaternion is no rotation.
+/// The plane's share of a pose in space: x, y and yaw, this to the nearest 2^-40 rad, so that a
+/// pose read here and sent on is read again as the same, to the last bit. None if a number is not
+/// finite or the quaternion is no rotation.
 [[nodiscard]] std::optional<geometry::Pose2> poseFromRos(const geometry_msgs::Pose& pose);
 [[nodiscard]] std::optional<geometry::Pose2> poseFromRos(const geometry_msgs::Transform& transform);
 [[nodiscard]] std::optional<geometry::Pose2> poseFromRos(const omega_slam::Pose2& pose);
