@@ -139,6 +139,10 @@ TEST(GraphAssembler, WhatCameBeforeIsKnown) {
   EXPECT_EQ(assembler.add(tie(0, 1)), Verdict::kTaken);
   EXPECT_EQ(assembler.add(tie(0, 1)), Verdict::kKnown);
   EXPECT_EQ(assembler.add(tie(0, 1, kRun, graph::ConstraintKind::kOdometry)), Verdict::kTaken);
+  ConstraintArrival another = tie(0, 1);
+  another.constraints.front().T_from_to.x = 0.001;
+  EXPECT_EQ(assembler.add(another), Verdict::kTaken) << "of the same two, by another scan";
+  EXPECT_EQ(assembler.add(another), Verdict::kKnown);
 }
 
 TEST(GraphAssembler, OnlyKeyframeZeroBeginsANewRun) {

@@ -55,7 +55,9 @@ GraphAssembler::Verdict GraphAssembler::add(ConstraintArrival arrival) {
   }
   bool is_news = false;
   for (const graph::Constraint& constraint : arrival.constraints) {
-    if (known_.insert({constraint.from, constraint.to, constraint.kind}).second) {
+    const geometry::Pose2& pose = constraint.T_from_to;
+    const Key key(constraint.from, constraint.to, constraint.kind, pose.x, pose.y, pose.theta);
+    if (known_.insert(key).second) {
       constraints_.push_back(constraint);
       is_news = true;
     }

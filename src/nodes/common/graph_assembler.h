@@ -66,7 +66,9 @@ class GraphAssembler {
   [[nodiscard]] std::size_t waiting() const { return keyframes_.size(); }
 
  private:
-  using Key = std::tuple<graph::NodeId, graph::NodeId, graph::ConstraintKind>;
+  /// Ends, kind, and what it says: several matches may tie the same two keyframes.
+  using Key =
+      std::tuple<graph::NodeId, graph::NodeId, graph::ConstraintKind, double, double, double>;
   void forget();
   /// Takes the constraints that meet the condition out of those that wait.
   template <class Condition>
