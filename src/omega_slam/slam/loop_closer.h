@@ -17,7 +17,7 @@ struct LoopCloserConfig {
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
   /// Places that are known so well from here need no loop: a match would hardly say more.
-  double min_deviation{0.02};  ///< [m]
+  double min_deviation{0.01};  ///< [m]
   /// Largest that is searched, however little is known.
   matching::SearchWindow max_window{6.0, 3.15};
   PlaceMatcherConfig place;
