@@ -112,7 +112,8 @@ TEST(LoopCloser, EachPassThatFitsTiesTheKeyframe) {
 TEST(LoopCloser, APlaceThatIsKnownWellNeedsNoLoop) {
   const auto truth = thereAndBack();
   LoopCloser closer = closerOf(smallConfig(), truth);
-  EXPECT_TRUE(closer.search(8, test::chainOf(truth, 0.003)).empty());
+  const double well = 0.1 * smallConfig().min_deviation;  // [m], [rad] of each tie of the chain
+  EXPECT_TRUE(closer.search(8, test::chainOf(truth, well)).empty());
   EXPECT_FALSE(closer.search(8, test::chainOf(truth, kDeviation)).empty());
 }
 
