@@ -17,10 +17,7 @@ constexpr double kLeastConfidence = 0.6;
 /// wrong: scans that see one side each of a door frame, say, lie on each other.
 constexpr double kApart = 9.0;
 
-/// [m] by which points may lie apart at first: little, since the tracking knows where they are.
-constexpr double kReach = 0.5;
-
-/// The scans of a few keyframes are matched in pairs, so that their errors come back.
+/// Of a pair's covariance. Each scan takes part in several pairs, and its errors in all of them.
 constexpr double kShared = 4.0;
 
 bool isUsable(const matching::MatchResult& match) {
@@ -29,15 +26,9 @@ bool isUsable(const matching::MatchResult& match) {
          (match.failure == MatchFailure::kNone || match.failure == MatchFailure::kDegenerate);
 }
 
-matching::PointToLineMatcherConfig fromNearby() {
-  matching::PointToLineMatcherConfig config;
-  config.max_correspondence_distance = kReach;
-  return config;
-}
-
 }  // namespace
 
-PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_(fromNearby(), config) {}
+PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_({}, config) {}
 
 std::optional<graph::Constraint> PairMatcher::match(const Keyframe& from, const Keyframe& to,
                                                     const Belief& tracked) const {
