@@ -27,7 +27,7 @@ constexpr double kOdometryFloorRotation = 0.005;    // [rad]
 constexpr double kSlip = 16.0;
 
 /// So many keyframes before it are matched with a new one, scan to scan.
-constexpr std::size_t kPairs = 2;
+constexpr NodeId kPairs = 2;
 
 /// [s] by which stamps may be wrong: some computers hand on late what came in time.
 constexpr double kLatency = 0.3;
@@ -188,16 +188,15 @@ void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Predictio
 
 /// Adds what the scans of the keyframe and of the newest before it say of each other.
 void FrontEnd::matchPairs(const TrackedScan& tracked, FrontEndResult& result) const {
-  const auto& known = surroundings_.keyframes();
-  const std::size_t first = known.size() > kPairs ? known.size() - kPairs : 0;
-  for (std::size_t id = first; id < known.size(); ++id) {
-    if (!surroundings_.isDrawn(known[id]->id)) {
+  const NodeId end = result.keyframe->id;
+  for (NodeId id = end > kPairs ? end - kPairs : 0; id < end; ++id) {
+    if (!surroundings_.isDrawn(id)) {
       continue;  // the robot has been found elsewhere since
     }
-    const Pose2& T_local_from = surroundings_.poseOf(known[id]->id);
+    const Pose2& T_local_from = surroundings_.poseOf(id);
     const Belief seen{relativePose(T_local_from, belief_.pose),
                       geometry::rotateCovariance(tracked.match.covariance, -T_local_from.theta)};
-    if (const auto pair = pairs_.match(*known[id], *result.keyframe, seen)) {
+    if (const auto pair = pairs_.match(*surroundings_.keyframes()[id], *result.keyframe, seen)) {
       result.constraints.push_back(*pair);
     }
   }
