@@ -133,6 +133,10 @@ class Run {
         relativePose(T_odom_base, odometry_.at(std::min(last_beam, robot_.time())).value());
     const sensing::LaserMount mount{robot_config_.T_base_laser, false};
     (void)pipeline_.process(scan, mount, T_odom_base, during);
+    if (pipeline_.graph().poses.size() > graph_poses_.size()) {  // it is solved with each keyframe
+      navigator_.moveMap({graph_poses_, pipeline_.graph().poses});
+      graph_poses_ = pipeline_.graph().poses;
+    }
     if (pipeline_.keyframes().size() == 1 && !T_world_map_) {
       T_world_map_ = truth_.at(scan.stamp).value();
     }
@@ -250,6 +254,7 @@ class Run {
   motion::OdometryBuffer truth_{2.0};
   motion::Twist2 velocity_;
   simulation::Bumper bumper_;
+  std::vector<Pose2> graph_poses_;
   std::optional<Pose2> T_world_map_;
   std::shared_ptr<const grid::OccupancyGrid> newest_map_;
   std::optional<std::uint64_t> goal_;

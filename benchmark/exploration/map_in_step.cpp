@@ -17,7 +17,7 @@ MapInStep::Change MapInStep::update(const slam::Pipeline& pipeline) {
   Change change;
   change.is_new = report.hasChanged();
   if (report.is_redrawn || report.moved > 0) {
-    change.motion = exploration::MapMotion(poses_, poses);
+    change.motion = geometry::MapMotion(poses_, poses);
   } else {
     for (std::size_t i = poses_.size(); i < placed.size(); ++i) {
       change.news.push_back({placed[i].sweep.get(), poses[i]});

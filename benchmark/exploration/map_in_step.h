@@ -14,9 +14,9 @@ namespace omega_slam::experiments {
 class MapInStep {
  public:
   struct Change {
-    std::vector<exploration::PlacedSweep> news;    ///< empty: anything may have changed
-    std::optional<exploration::MapMotion> motion;  ///< if what was drawn has moved
-    bool is_new{false};                            ///< whether there is anything new at all
+    std::vector<exploration::PlacedSweep> news;  ///< empty: anything may have changed
+    std::optional<geometry::MapMotion> motion;   ///< if what was drawn has moved
+    bool is_new{false};                          ///< whether there is anything new at all
   };
 
   explicit MapInStep(const mapping::OccupancyMapperConfig& config) : mapper_(config) {}

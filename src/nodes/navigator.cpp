@@ -8,6 +8,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
+#include <omega_slam/PoseGraph.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -19,14 +20,17 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "nodes/common/conversions.h"
 #include "nodes/common/diagnostics.h"
+#include "nodes/common/graph_motion.h"
 #include "nodes/common/names.h"
 #include "nodes/common/navigation_messages.h"
 #include "nodes/common/navigator_config.h"
 #include "nodes/common/node_config.h"
 #include "nodes/common/node_runner.h"
+#include "nodes/common/slam_conversions.h"
 #include "nodes/common/tf_lookup.h"
 #include "omega_slam/navigation/sighting.h"
 #include "omega_slam/sensing/sweep_duration.h"
@@ -94,6 +98,7 @@ class NavigatorNode {
     map_subscriber_ = nh.subscribe(names::kMap, 1, &NavigatorNode::onMap, this);
     scan_subscriber_ = nh.subscribe(names::kScan, 1, &NavigatorNode::onScan, this);
     odometry_subscriber_ = nh.subscribe(names::kOdometry, 1, &NavigatorNode::onOdometry, this);
+    pose_graph_subscriber_ = nh.subscribe(names::kPoseGraph, 1, &NavigatorNode::onPoseGraph, this);
     bumper_subscriber_ = nh.subscribe(names::kBumper, 1, &NavigatorNode::onBumper, this);
     simple_goal_subscriber_ =
         nh.subscribe("move_base_simple/goal", 1, &NavigatorNode::onSimpleGoal, this);
@@ -109,6 +114,19 @@ class NavigatorNode {
                                                       config_.map_frame + "'.");
     } else {
       navigator_.setMap(*map);
+    }
+  }
+
+  /// What was touched moves with the map; another run has another map.
+  void onPoseGraph(const PoseGraph::ConstPtr& message) {
+    auto graph = poseGraphFromRos(*message);
+    if (!graph.value) {
+      diagnostics_.reject(graph.fault);
+    } else if (const auto motion =
+                   graph_motion_.take(message->run, std::move(graph.value->poses))) {
+      navigator_.moveMap(*motion);
+    } else {
+      navigator_.forgetObstacles();
     }
   }
 
@@ -312,6 +330,7 @@ class NavigatorNode {
   sensor_msgs::LaserScan::ConstPtr scan_;  ///< waits for tf
   motion::Twist2 velocity_{kNan, kNan};
   ros::Time velocity_stamp_;
+  GraphMotion graph_motion_;
   navigation::Path published_path_;
   tf2_ros::Buffer tf_buffer_;
   tf2_ros::TransformListener tf_listener_;
@@ -325,6 +344,7 @@ class NavigatorNode {
   ros::Subscriber map_subscriber_;
   ros::Subscriber scan_subscriber_;
   ros::Subscriber odometry_subscriber_;
+  ros::Subscriber pose_graph_subscriber_;
   ros::Subscriber bumper_subscriber_;
   ros::Subscriber simple_goal_subscriber_;
   ros::ServiceServer plan_service_;

@@ -19,7 +19,7 @@ MapNews::News MapNews::take(double stamp, double resolution) {
     poses.push_back(keyframe.T_map_base);
   }
   News news;
-  const exploration::MapMotion motion(poses_, poses);
+  const geometry::MapMotion motion(poses_, poses);
   if (poses.size() < poses_.size()) {  // another run
     shown_.clear();
     unsettled_maps_ = kUnsettledMaps;

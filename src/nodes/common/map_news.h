@@ -15,9 +15,9 @@ namespace omega_slam {
 class MapNews {
  public:
   struct News {
-    std::vector<mapping::PlacedSweep> keyframes;   ///< that this map has and the last one had not;
-                                                   ///< empty: anything may have changed
-    std::optional<exploration::MapMotion> motion;  ///< if keyframes have moved
+    std::vector<mapping::PlacedSweep> keyframes;  ///< that this map has and the last one had not;
+                                                  ///< empty: anything may have changed
+    std::optional<geometry::MapMotion> motion;    ///< if keyframes have moved
   };
 
   void addKeyframe(std::uint64_t run, slam::Keyframe keyframe) {

@@ -35,7 +35,7 @@ Explorer::Explorer(const ExplorerConfig& config)
       wall_follower_(config.switch_probability, static_cast<std::uint64_t>(config.seed)) {}
 
 void Explorer::showMap(std::shared_ptr<const grid::OccupancyGrid> map,
-                       const std::vector<PlacedSweep>& news, const MapMotion* motion) {
+                       const std::vector<PlacedSweep>& news, const geometry::MapMotion* motion) {
   if (!map || map->cells.empty()) {
     return;
   }
@@ -55,7 +55,7 @@ void Explorer::showMap(std::shared_ptr<const grid::OccupancyGrid> map,
   }
 }
 
-void Explorer::moveAlong(const MapMotion& motion, const MapView& old) {
+void Explorer::moveAlong(const geometry::MapMotion& motion, const MapView& old) {
   detector_.move(motion, old);
   set_aside_.move(motion);
   for (Eigen::Vector2d& mark : touched_) {

@@ -77,7 +77,8 @@ class Explorer {
   /// @param motion how keyframes have moved since the last map, if they have: the map was drawn
   /// anew, and goals, home and what is set aside move with it
   void showMap(std::shared_ptr<const grid::OccupancyGrid> map,
-               const std::vector<PlacedSweep>& news = {}, const MapMotion* motion = nullptr);
+               const std::vector<PlacedSweep>& news = {},
+               const geometry::MapMotion* motion = nullptr);
 
   /// Bumpers are pressed: what the laser does not see, no way leads through.
   /// @param contacts [m] in the base frame, where the robot was last
@@ -108,7 +109,7 @@ class Explorer {
   enum class GoalState : std::uint8_t { kNone, kDriving, kReached, kFailed };
 
   void account(double now, const std::optional<geometry::Pose2>& T_map_base);
-  void moveAlong(const MapMotion& motion, const MapView& old);
+  void moveAlong(const geometry::MapMotion& motion, const MapView& old);
   [[nodiscard]] Survey surveyFrom(const geometry::Pose2& T_map_base) const;
   [[nodiscard]] bool isDecisionDue(double now) const;
   Order decide(double now, const geometry::Pose2& T_map_base);

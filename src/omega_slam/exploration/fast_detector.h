@@ -30,7 +30,7 @@ class FastDetector {
 
   /// The map has moved: stored frontiers follow it. Call searchAll() when it is drawn anew.
   /// @param map as it was before
-  void move(const MapMotion& motion, const MapView& map) { store_.move(motion, map); }
+  void move(const geometry::MapMotion& motion, const MapView& map) { store_.move(motion, map); }
 
   [[nodiscard]] const FrontierStore& store() const { return store_; }
 

@@ -78,7 +78,7 @@ void FrontierStore::replaceAll(std::vector<Frontier> fresh) {
   replace(old, std::move(fresh));
 }
 
-void FrontierStore::move(const MapMotion& motion, const MapView& map) {
+void FrontierStore::move(const geometry::MapMotion& motion, const MapView& map) {
   owners_.clear();
   for (auto& [id, frontier] : frontiers_) {
     for (Cell& cell : frontier.cells) {

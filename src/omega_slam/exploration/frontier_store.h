@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "omega_slam/exploration/frontier.h"
-#include "omega_slam/exploration/map_motion.h"
+#include "omega_slam/geometry/map_motion.h"
 
 namespace omega_slam::exploration {
 
@@ -23,7 +23,7 @@ class FrontierStore {
   void replaceAll(std::vector<Frontier> fresh);
 
   /// Carries the cells along with a map that has moved; what they are now, replaceAll() must say.
-  void move(const MapMotion& motion, const MapView& map);
+  void move(const geometry::MapMotion& motion, const MapView& map);
 
  private:
   void insert(Frontier frontier);

@@ -59,7 +59,7 @@ bool SetAsideList::isWaiting(double now, int max_attempts) const {
   });
 }
 
-void SetAsideList::move(const MapMotion& motion) {
+void SetAsideList::move(const geometry::MapMotion& motion) {
   for (SetAside& entry : entries_) {
     entry.place = motion.apply(entry.place);
     for (Eigen::Vector2d& viewpoint : entry.tried) {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "omega_slam/exploration/map_motion.h"
+#include "omega_slam/geometry/map_motion.h"
 
 namespace omega_slam::exploration {
 
@@ -39,7 +39,7 @@ class SetAsideList {
   /// Whether something waits for its time.
   [[nodiscard]] bool isWaiting(double now, int max_attempts) const;
 
-  void move(const MapMotion& motion);
+  void move(const geometry::MapMotion& motion);
   void clear() { entries_.clear(); }
   [[nodiscard]] const std::vector<SetAside>& entries() const { return entries_; }
 

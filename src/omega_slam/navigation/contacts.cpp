@@ -27,19 +27,32 @@ void Contacts::add(const std::vector<Eigen::Vector2d>& points, double until) {
       continue;
     }
     const grid::Cell cell = lattice_.cellAt(point);
-    const auto known = std::find_if(marks_.begin(), marks_.end(),
-                                    [&](const Mark& mark) { return mark.cell == cell; });
+    const auto known = std::find_if(marks_.begin(), marks_.end(), [&](const Mark& mark) {
+      return lattice_.cellAt(mark.point) == cell;
+    });
     if (known != marks_.end()) {
       known->until = std::max(known->until, until);
     } else {
-      marks_.push_back({cell, until});
+      marks_.push_back({point, until});
       grows = true;
     }
   }
   if (grows) {
-    const grid::Cell newest = marks_.back().cell;
-    const int reach = static_cast<int>(kReach / lattice_.resolution);
-    drop([&](const Mark& mark) { return (mark.cell - newest).cwiseAbs().maxCoeff() > reach; });
+    const Eigen::Vector2d newest = marks_.back().point;
+    drop([&](const Mark& mark) { return (mark.point - newest).cwiseAbs().maxCoeff() > kReach; });
+    rebuild();
+  }
+}
+
+void Contacts::move(const geometry::MapMotion& motion) {
+  bool changes = false;
+  for (Mark& mark : marks_) {
+    const grid::Cell before = lattice_.cellAt(mark.point);
+    const Eigen::Vector2d moved = motion.apply(mark.point);
+    mark.point = isCountable(moved) ? moved : mark.point;
+    changes = changes || lattice_.cellAt(mark.point) != before;
+  }
+  if (changes) {
     rebuild();
   }
 }
@@ -68,11 +81,11 @@ void Contacts::rebuild() {
     field_ = {};
     return;
   }
-  grid::Cell low = marks_.front().cell;
+  grid::Cell low = lattice_.cellAt(marks_.front().point);
   grid::Cell high = low;
   for (const Mark& mark : marks_) {
-    low = low.cwiseMin(mark.cell);
-    high = high.cwiseMax(mark.cell);
+    low = low.cwiseMin(lattice_.cellAt(mark.point));
+    high = high.cwiseMax(lattice_.cellAt(mark.point));
   }
   const int rim = static_cast<int>(std::ceil(kRim / lattice_.resolution));
   low.array() -= rim;
@@ -83,7 +96,7 @@ void Contacts::rebuild() {
   box.height = high.y() - low.y() + 1;
   std::vector<std::uint8_t> obstacles(box.size());
   for (const Mark& mark : marks_) {
-    obstacles[box.index(mark.cell - low)] = 1;
+    obstacles[box.index(lattice_.cellAt(mark.point) - low)] = 1;
   }
   field_ = grid::DistanceField(box, std::move(obstacles), grid::Outside::kOpen);
 }

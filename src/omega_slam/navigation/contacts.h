@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "omega_slam/geometry/map_motion.h"
 #include "omega_slam/grid/distance_field.h"
 
 namespace omega_slam::navigation {
@@ -17,7 +18,8 @@ class Contacts {
   /// What is farther than 100 m from a new one is forgotten.
   /// @param points [m] in the map; @param until [s] time at which they are forgotten
   void add(const std::vector<Eigen::Vector2d>& points, double until);
-  void expire(double now);  ///< drops those that have lasted long enough
+  void move(const geometry::MapMotion& motion);  ///< with the keyframes that they were near to
+  void expire(double now);                       ///< drops those that have lasted long enough
   void forget();
 
   /// Distances to all of them.
@@ -25,8 +27,8 @@ class Contacts {
 
  private:
   struct Mark {
-    grid::Cell cell;
-    double until;
+    Eigen::Vector2d point;  ///< [m] in the map, not rounded: the map moves by less than a cell
+    double until;           ///< [s]
   };
 
   template <typename Predicate>
@@ -34,7 +36,7 @@ class Contacts {
   void rebuild();
 
   grid::GridGeometry lattice_;  ///< that cells are counted on, from the map's origin
-  std::vector<Mark> marks_;     ///< one a cell
+  std::vector<Mark> marks_;     ///< one a cell, until they move
   grid::DistanceField field_;   ///< as large as it must be to hold the marks
 };
 

@@ -45,6 +45,8 @@ class Costmap {
   void see(const Sighting& sighting, const Eigen::Vector2d& robot);
   /// @param points [m] where the robot touches something, at time `now` [s]
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
+  /// What was touched moves with the map; what is seen now comes anew.
+  void moveTouched(const geometry::MapMotion& motion) { contacts_.move(motion); }
   void expire(double now);
   void forgetSeen() { live_.forget(); }  ///< but not what was touched
   void forgetLive();                     ///< what was touched, too

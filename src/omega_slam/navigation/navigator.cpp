@@ -74,6 +74,8 @@ void Navigator::setMap(const grid::OccupancyGrid& map) {
   on_detour_ = false;  // it may show a shorter way
 }
 
+void Navigator::moveMap(const geometry::MapMotion& motion) { costmap_.moveTouched(motion); }
+
 void Navigator::see(const Sighting& sighting, const geometry::Pose2& T_map_base) {
   if (!T_map_base.isFinite() || !std::isfinite(sighting.stamp)) {
     return;

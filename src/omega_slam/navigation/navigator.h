@@ -70,6 +70,10 @@ class Navigator {
   /// The newest map. Goals stay where they are in it.
   void setMap(const grid::OccupancyGrid& map);
 
+  /// How keyframes have moved since the last time: what was touched moves with the one that was
+  /// nearest to it, lest it stands in a door of the corrected map.
+  void moveMap(const geometry::MapMotion& motion);
+
   /// The newest scan. @param sighting in the base frame, as it was at its stamp
   /// @param T_map_base at that stamp
   void see(const Sighting& sighting, const geometry::Pose2& T_map_base);

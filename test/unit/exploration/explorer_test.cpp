@@ -274,7 +274,7 @@ TEST(Explorer, GoalsMoveWithTheMap) {
   const Goal before = *run.explorer.goal();
   auto moved = std::make_shared<grid::OccupancyGrid>(run.robot.map());
   moved->geometry.origin += Eigen::Vector2d(1.0, 0.5);
-  const MapMotion motion({kStart}, {{kStart.x + 1.0, kStart.y + 0.5, kStart.theta}});
+  const geometry::MapMotion motion({kStart}, {{kStart.x + 1.0, kStart.y + 0.5, kStart.theta}});
   run.explorer.showMap(moved, {}, &motion);
   const Pose2 pose{run.robot.pose().x + 1.0, run.robot.pose().y + 0.5, run.robot.pose().theta};
   const Order order = run.explorer.update(run.robot.now() + 0.1, pose);

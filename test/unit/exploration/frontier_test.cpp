@@ -141,7 +141,7 @@ TEST(FrontierStore, FrontiersFollowAMapThatMoves) {
   FastDetector detector;
   detector.searchAll(MapView(before));
   const FrontierId id = detector.store().ownerOf({1, 2});
-  detector.move(MapMotion({{0.1, 0.1, 0.0}}, {{1.1, 0.6, 0.0}}), MapView(before));
+  detector.move(geometry::MapMotion({{0.1, 0.1, 0.0}}, {{1.1, 0.6, 0.0}}), MapView(before));
   detector.searchAll(MapView(after));
   EXPECT_EQ(detector.store().ownerOf({21, 12}), id);
 }

@@ -196,6 +196,35 @@ TEST(Navigator, TriesAPaneOfGlassTwiceAtMostAndThenKnowsThatThereIsNoWay) {
   EXPECT_EQ(ride.drive(1.0).state, NavigationState::kFailed);
 }
 
+TEST(Navigator, WhatWasTouchedMovesWithTheCorrectedMap) {
+  Ride ride;
+  ride.pose = {3.2, 3.0, 0.0};
+  (void)ride.step();
+  ride.navigator.touch({{0.18, 0.0}, {0.0, 0.18}, {0.0, -0.18}}, ride.now);  // all over the gap
+  const auto way = [&] { return ride.navigator.plan({1.5, 1.0}, {5.0, 1.0}); };
+  ASSERT_FALSE(way().found());
+  ride.navigator.moveMap({{{1.0, 1.0, 0.0}}, {{1.0, 1.0, 0.0}}});
+  EXPECT_FALSE(way().found());
+  // The keyframe beside the gap lies a metre farther down, in the wall; another one stays.
+  ride.navigator.moveMap({{{3.0, 3.0, 0.0}, {1.0, 1.0, 0.0}}, {{3.0, 2.0, 0.0}, {1.0, 1.0, 0.0}}});
+  EXPECT_TRUE(way().found()) << way().reason;
+}
+
+TEST(Contacts, MoveWithAMapThatMovesByLessThanACell) {
+  Contacts contacts(0.05);
+  contacts.add({{1.01, 0.0}}, 100.0);
+  for (int i = 0; i < 20; ++i) {
+    contacts.move({{{0.01 * i, 0.0, 0.0}}, {{0.01 * (i + 1), 0.0, 0.0}}});
+  }
+  EXPECT_FALSE(contacts.field().isClear({1.21, 0.0}, 0.05));
+  EXPECT_TRUE(contacts.field().isClear({1.01, 0.0}, 0.1));
+  contacts.add({{1.21, 0.0}}, 200.0);  // the same cell: it lasts longer
+  contacts.expire(150.0);
+  EXPECT_FALSE(contacts.field().isClear({1.21, 0.0}, 0.05));
+  contacts.move({{{0.0, 0.0, 0.0}}, {{1e300, 0.0, 0.0}}});  // nonsense moves nothing
+  EXPECT_FALSE(contacts.field().isClear({1.21, 0.0}, 0.05));
+}
+
 /// A corridor that goes round a block, 3 m wide and 12 m long.
 grid::OccupancyGrid ring() {
   return test::drawnMap({"############################",  //

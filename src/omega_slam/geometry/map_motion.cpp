@@ -1,13 +1,11 @@
-#include "omega_slam/exploration/map_motion.h"
+#include "omega_slam/geometry/map_motion.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "omega_slam/geometry/angle.h"
 
-namespace omega_slam::exploration {
-
-using geometry::Pose2;
+namespace omega_slam::geometry {
 
 MapMotion::MapMotion(std::vector<Pose2> before, std::vector<Pose2> after)
     : before_(std::move(before)), after_(std::move(after)) {
@@ -18,8 +16,8 @@ MapMotion::MapMotion(std::vector<Pose2> before, std::vector<Pose2> after)
 
 bool MapMotion::exceeds(double tolerance, double reach) const {
   for (std::size_t i = 0; i < before_.size(); ++i) {
-    const double turn = std::abs(geometry::angleDifference(after_[i].theta, before_[i].theta));
-    if (geometry::distance(before_[i], after_[i]) + turn * reach > tolerance) {
+    const double turn = std::abs(angleDifference(after_[i].theta, before_[i].theta));
+    if (distance(before_[i], after_[i]) + turn * reach > tolerance) {
       return true;
     }
   }
@@ -43,4 +41,4 @@ Eigen::Vector2d MapMotion::apply(const Eigen::Vector2d& point) const {
 
 Pose2 MapMotion::apply(const Pose2& pose) const { return around(pose.translation()) * pose; }
 
-}  // namespace omega_slam::exploration
+}  // namespace omega_slam::geometry
