@@ -5,10 +5,8 @@
 #include <cstdlib>
 
 namespace omega_slam::exploration {
-namespace {
 
-/// Steps from a blocked cell to those whose centre is nearer to its square than the radius.
-std::vector<Cell> discAround(double radius) {  // [cells]
+std::vector<Cell> discAround(double radius) {
   const int reach = static_cast<int>(std::ceil(radius + 0.5));
   std::vector<Cell> disc;
   for (int y = -reach; y <= reach; ++y) {
@@ -22,8 +20,6 @@ std::vector<Cell> discAround(double radius) {  // [cells]
   }
   return disc;
 }
-
-}  // namespace
 
 StandingRoom::StandingRoom(const MapView& map, double radius)
     : geometry_(map.geometry()), corner_(map.corner()), room_(map.map().cells.size(), 0) {

@@ -7,6 +7,10 @@
 
 namespace omega_slam::exploration {
 
+/// Steps from the middle of a disc to the cells of whose squares it covers something.
+/// @param radius [cells]
+[[nodiscard]] std::vector<Cell> discAround(double radius);
+
 /// Where the middle of a round robot can be: in cells from which all that its body covers is known
 /// to be free. Cells on the edge of the map have no room.
 class StandingRoom {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "omega_slam/exploration/approach.h"
 #include "omega_slam/exploration/information_gain.h"
 #include "omega_slam/exploration/own_place.h"
 #include "omega_slam/geometry/angle.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kSnap = 1.0;          // [m] from a robot that is too close to something to room
 constexpr double kViewDistance = 2.0;  // [m] viewpoints farther from a frontier are none
+constexpr double kShort = 1.0;         // [m] a shorter frontier in a gap too narrow is left alone
 constexpr double kWayAhead = 0.5;      // [m] of a way that tell the direction in which it begins
 
 /// The map with obstacles at those points.
@@ -58,6 +60,9 @@ double Survey::turnTowards(const Eigen::Vector2d& point) const {
 
 std::optional<Option> Survey::optionFor(const Frontier& frontier,
                                         const std::vector<Eigen::Vector2d>& tried) const {
+  if (frontier.size < kShort && !canComeUpTo(frontier, view_, robot_radius_)) {
+    return std::nullopt;
+  }
   const auto viewpoint =
       findViewpoint(frontier, view_, travel_, tried, std::min(kViewDistance, sensor_range_));
   if (!viewpoint) {

@@ -22,7 +22,8 @@ class Survey {
   Survey& operator=(const Survey&) = delete;
 
   /// @param tried [m] viewpoints that have not helped
-  /// @return none if the robot can get to no place from which it sees the frontier
+  /// @return none if the robot can get to no place from which it sees the frontier, or if that is
+  /// short and lies in a gap that is too narrow for it
   [[nodiscard]] std::optional<Option> optionFor(const Frontier& frontier,
                                                 const std::vector<Eigen::Vector2d>& tried) const;
 
