@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "omega_slam/exploration/strategy_factory.h"
 #include "omega_slam/sensing/contact.h"
@@ -25,6 +26,11 @@ ExplorerConfig checked(const ExplorerConfig& config) {
     throw std::invalid_argument(fmt::format("{}", fmt::join(violations, " ")));
   }
   return config;
+}
+
+bool isOption(FrontierId frontier, const std::vector<Option>& options) {
+  return std::any_of(options.begin(), options.end(),
+                     [frontier](const Option& option) { return option.frontier == frontier; });
 }
 
 }  // namespace
@@ -136,7 +142,7 @@ bool Explorer::isDecisionDue(double now) const {
 
 Order Explorer::decide(double now, const Pose2& T_map_base) {
   last_decision_ = now;
-  map_is_new_ = false;
+  const bool map_is_new = std::exchange(map_is_new_, false);
   const Survey survey = surveyFrom(T_map_base);
   watchApproach(survey, now);
   judgeGoal(now);
@@ -146,7 +152,11 @@ Order Explorer::decide(double now, const Pose2& T_map_base) {
   }
   const std::vector<Option> options = optionsAtAll(survey, now);
   measureProgress(survey, options);
-  if (goal_ && isWorthwhile(survey)) {
+  if (goal_ && !isWorthwhile(survey)) {
+    dropGoal();
+  }
+  const bool chooses_under_way = map_is_new && strategy_ && strategy_->choosesUnderWay();
+  if (goal_ && !(chooses_under_way && isOption(goal_->frontier, options))) {
     return {};
   }
   if (!options.empty()) {
@@ -279,13 +289,19 @@ Order Explorer::choose(const Survey& survey, const std::vector<Option>& options,
     return stepAlongWall(survey, T_map_base);
   }
   const Situation situation{
-      options, T_map_base, home_->translation(),
+      options,
+      T_map_base,
+      goal_ ? goal_->frontier : 0,
+      home_->translation(),
       [&](std::size_t from) { return survey.travelBetween(options[from], options); },
       [&] {
         return config_.return_home ? survey.travelBetween(options, home_->translation())
                                    : std::vector<double>(options.size(), 0.0);
       }};
   const Option& chosen = options[strategy_->choose(situation)];
+  if (goal_ && goal_->frontier == chosen.frontier) {
+    return {};
+  }
   return goTo(chosen.viewpoint.T_map_base, chosen.frontier);
 }
 

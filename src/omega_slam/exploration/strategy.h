@@ -20,6 +20,7 @@ struct Option {
 struct Situation {
   std::vector<Option> options;  ///< at least one; the order has no meaning
   geometry::Pose2 T_map_base;
+  FrontierId current{0};             ///< that the robot is on its way to, and may go on to; 0: none
   Eigen::Vector2d origin{0.0, 0.0};  ///< [m] map frame, where the exploration began
 
   /// [m] lengths of the ways from the viewpoint of an option to those of all, in their order; where
@@ -38,6 +39,10 @@ class Strategy {
 
   /// @return index of an option
   [[nodiscard]] virtual std::size_t choose(const Situation& situation) const = 0;
+
+  /// Whether it wants to choose again whenever the map is new, and not only once the frontier that
+  /// the robot is on its way to is gone.
+  [[nodiscard]] virtual bool choosesUnderWay() const { return false; }
 };
 
 /// The option for which `cost` is least; among equals the oldest frontier.

@@ -1,40 +1,63 @@
 #include "omega_slam/exploration/tour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace omega_slam::exploration {
 namespace {
 
 constexpr std::size_t kMaxStops = 12;
+constexpr double kTogether = 1.5;       // [m] options nearer to each other are one stop
 constexpr double kTurnCost = 0.6;       // [m/rad] about what the robot drives while it turns so far
+constexpr double kConstancy = 1.0;      // [m] that the way to where the robot goes already is less
+constexpr double kEagerness = 0.3;      // of a metre, for each stop that is reached by it or after
 constexpr double kUnreachable = 1.0e6;  // [m] longer than any way, but a number to reckon with
 
-/// Indices of the options that are nearest to the robot.
-std::vector<std::size_t> nearest(const std::vector<Option>& options) {
-  std::vector<std::size_t> indices(options.size());
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
-  std::sort(indices.begin(), indices.end(), [&options](std::size_t a, std::size_t b) {
-    const auto rank = [&options](std::size_t i) {
-      return std::make_pair(options[i].viewpoint.travel, options[i].frontier);
-    };
-    return rank(a) < rank(b);
-  });
-  indices.resize(std::min(indices.size(), kMaxStops));
-  return indices;
+/// Whether what is to be seen from one will likely be seen on the way to the other. Walls between
+/// them show by the ways from the robot.
+bool isTogether(const Viewpoint& a, const Viewpoint& b) {
+  return geometry::distance(a.T_map_base, b.T_map_base) < kTogether &&
+         std::abs(a.travel - b.travel) < kTogether;
 }
 
-TourCosts costsOf(const Situation& situation, const std::vector<std::size_t>& chosen) {
+/// Indices of the options that are stops, the nearest of those together; but first of all the one
+/// that the robot is on its way to.
+std::vector<std::size_t> stopsOf(const Situation& situation) {
+  const std::vector<Option>& options = situation.options;
+  const auto rank = [&](std::size_t i) {
+    const bool is_other = options[i].frontier != situation.current;
+    return std::make_tuple(is_other, options[i].viewpoint.travel, options[i].frontier);
+  };
+  std::vector<std::size_t> indices(options.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::sort(indices.begin(), indices.end(),
+            [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  std::vector<std::size_t> stops;
+  for (const std::size_t i : indices) {
+    const bool is_stop = std::none_of(stops.begin(), stops.end(), [&](std::size_t stop) {
+      return isTogether(options[i].viewpoint, options[stop].viewpoint);
+    });
+    if (is_stop && stops.size() < kMaxStops) {
+      stops.push_back(i);
+    }
+  }
+  return stops;
+}
+
+TourCosts costsOf(const Situation& situation, const std::vector<std::size_t>& stops) {
   TourCosts costs;
   const std::vector<double> home = situation.travelHome();
-  for (const std::size_t from : chosen) {
+  for (const std::size_t from : stops) {
     const Option& option = situation.options[from];
-    costs.start.push_back(option.viewpoint.travel + kTurnCost * option.turn);
+    const double constancy = option.frontier == situation.current ? kConstancy : 0.0;
+    costs.start.push_back(option.viewpoint.travel + kTurnCost * option.turn - constancy);
     costs.end.push_back(std::min(home[from], kUnreachable));
     const std::vector<double> row = situation.travelFrom(from);
     costs.between.emplace_back();
-    for (const std::size_t to : chosen) {
+    for (const std::size_t to : stops) {
       costs.between.back().push_back(std::min(row[to], kUnreachable));
     }
   }
@@ -43,16 +66,16 @@ TourCosts costsOf(const Situation& situation, const std::vector<std::size_t>& ch
 
 }  // namespace
 
-std::vector<double> costsByFirst(const TourCosts& costs) {
+std::vector<double> costsByFirst(const TourCosts& costs, double eagerness) {
   const std::size_t count = costs.start.size();
   const std::size_t all = (std::size_t{1} << count) - 1;
   // rest[set][from]: from a stop through all those of the set to the end. A way counts once, and
-  // once more for each stop that is reached by it, or after it.
+  // by `eagerness` once more for each stop that is reached by it, or after it.
   std::vector<std::vector<double>> rest(all + 1, std::vector<double>(count, 0.0));
   rest[0] = costs.end;
   std::vector<double> weights(all + 1, 1.0);
   for (std::size_t set = 1; set <= all; ++set) {
-    weights[set] = weights[set >> 1U] + static_cast<double>(set & 1U);
+    weights[set] = weights[set >> 1U] + eagerness * static_cast<double>(set & 1U);
     for (std::size_t from = 0; from < count; ++from) {
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t to = 0; to < count; ++to) {
@@ -73,10 +96,10 @@ std::vector<double> costsByFirst(const TourCosts& costs) {
 }
 
 std::size_t Tour::choose(const Situation& situation) const {
-  const std::vector<std::size_t> chosen = nearest(situation.options);
-  const std::vector<double> costs = costsByFirst(costsOf(situation, chosen));
+  const std::vector<std::size_t> stops = stopsOf(situation);
+  const std::vector<double> costs = costsByFirst(costsOf(situation, stops), kEagerness);
   const auto least = std::min_element(costs.begin(), costs.end());
-  return chosen[static_cast<std::size_t>(least - costs.begin())];
+  return stops[static_cast<std::size_t>(least - costs.begin())];
 }
 
 }  // namespace omega_slam::exploration

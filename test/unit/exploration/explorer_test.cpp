@@ -120,6 +120,42 @@ TEST(Explorer, TurnsRoundForTheSameFrontierOnlyIfItIsWorthIt) {
   EXPECT_GT(last.goal.T_map_base.y, 5.0);
 }
 
+/// A corridor of 20 m with a frontier at its right end, and perhaps another one at its left.
+std::shared_ptr<const grid::OccupancyGrid> corridor(bool is_open_on_the_left) {
+  auto map = std::make_shared<grid::OccupancyGrid>(
+      grid::makeGrid({0.1, {0.0, 0.0}, 200, 20}, grid::kFree));
+  for (int row = 0; row < 20; ++row) {
+    map->at({199, row}) = grid::kUnknown;
+    map->at({0, row}) = is_open_on_the_left ? grid::kUnknown : grid::kOccupied;
+    for (int column = 0; column < 200 && (row == 0 || row == 19); ++column) {
+      map->at({column, row}) = grid::kOccupied;
+    }
+  }
+  return map;
+}
+
+TEST(Explorer, ATourTakesAlongWhatComesIntoSightUnderWay) {
+  for (const char* strategy : {"tour", "nearest_to_robot"}) {
+    Explorer explorer(configOf(strategy));
+    (void)explorer.start();
+    explorer.showMap(corridor(false));
+    const Order first = explorer.update(0.0, Pose2{3.0, 1.0, 0.0});
+    ASSERT_EQ(first.kind, Order::Kind::kGo);
+    EXPECT_GT(first.goal.T_map_base.x, 18.0);
+    EXPECT_EQ(explorer.update(2.0, Pose2{3.1, 1.0, 0.0}).kind, Order::Kind::kKeepOn);
+    explorer.showMap(corridor(true));
+    const Order next = explorer.update(4.0, Pose2{3.2, 1.0, 0.0});
+    if (explorer.strategy() == "tour") {
+      ASSERT_EQ(next.kind, Order::Kind::kGo);
+      EXPECT_LT(next.goal.T_map_base.x, 2.0);
+      explorer.showMap(corridor(true));
+      EXPECT_EQ(explorer.update(6.0, Pose2{3.0, 1.0, 3.1}).kind, Order::Kind::kKeepOn);
+    } else {
+      EXPECT_EQ(next.kind, Order::Kind::kKeepOn);
+    }
+  }
+}
+
 TEST(Explorer, PausesAndGoesOn) {
   UnderWay run;
   ASSERT_TRUE(run.explorer.goal());

@@ -81,16 +81,20 @@ TourCosts onALine(const std::vector<double>& stops, double home) {
 }
 
 TEST(Tour, CostsItsLengthAndTheWaysUntilStopsAreReached) {
-  EXPECT_THAT(costsByFirst(onALine({2.0}, 3.0)), ElementsAre(3.0 + 2.0));
+  EXPECT_THAT(costsByFirst(onALine({2.0}, 3.0), 1.0), ElementsAre(3.0 + 2.0));
   // The best tours are 2, 4, -1; or -1, 2, 4; or 4, 2, -1; then home at -3.
-  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0)),
+  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0), 1.0),
               ElementsAre(11.0 + 2.0 + 4.0 + 9.0, 13.0 + 1.0 + 4.0 + 6.0, 11.0 + 4.0 + 6.0 + 9.0));
-  EXPECT_TRUE(costsByFirst({}).empty());
+  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0), 0.5),
+              ElementsAre(11.0 + 7.5, 13.0 + 5.5, 11.0 + 9.5));
+  EXPECT_TRUE(costsByFirst({}, 1.0).empty());
 }
 
 /// Which of the stops on a line a tour that ends at home goes to first.
-double firstOnALine(const std::vector<double>& stops, double home) {
+/// @param current the stop that the robot is on its way to, as they are counted from 1
+double firstOnALine(const std::vector<double>& stops, double home, FrontierId current = 0) {
   Situation now;
+  now.current = current;
   for (const double stop : stops) {
     now.options.push_back(option(now.options.size() + 1, stop, 0.0, std::abs(stop), 1.0, 0.0));
   }
@@ -112,6 +116,23 @@ TEST(Tour, IfItIsAsShortEitherWayRoundTakesTheNearestFirst) {
 
 TEST(Tour, TakesAlongTheSmallOneThatWouldBeLeftBehind) {
   EXPECT_EQ(firstOnALine({2.0, 3.0, 4.0, -1.0}, 4.0), -1.0);
+}
+
+TEST(Tour, FrontiersBesideEachOtherAreOneStop) {
+  // Either way round is as long, so that early arrival decides.
+  EXPECT_EQ(firstOnALine({4.0, 6.3, 8.6, 10.9, -3.0}, 0.0), 4.0);
+  EXPECT_EQ(firstOnALine({4.0, 4.3, 4.6, 4.9, -3.0}, 0.0), -3.0);
+}
+
+TEST(Tour, TurnsRoundUnderWayOnlyIfItIsWorthIt) {
+  EXPECT_EQ(firstOnALine({5.0, -4.8}, 0.0), -4.8);
+  EXPECT_EQ(firstOnALine({5.0, -4.8}, 0.0, 1), 5.0);
+  EXPECT_EQ(firstOnALine({5.0, -1.0}, 0.0, 1), -1.0);
+}
+
+TEST(Tour, GoesOnToItsFrontierAlthoughOneBesideItIsNearer) {
+  EXPECT_EQ(firstOnALine({5.0, 4.2}, 0.0), 4.2);
+  EXPECT_EQ(firstOnALine({5.0, 4.2}, 0.0, 1), 5.0);
 }
 
 TEST(InformationGain, IsTheUnknownAreaInReachThatNoWallHides) {
