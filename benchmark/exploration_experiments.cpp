@@ -87,7 +87,9 @@ class Tables {
       : runs_(folder / ("runs_" + world + ".csv"),
               "world,strategy,seed,elsewhere,ended,ending,time,distance,explored_time,explored_"
               "distance,"
-              "coverage,from_home,collisions,unseen,goals,explorer_cpu,navigator_cpu,area"),
+              "coverage,from_home,collisions,unseen,goals,driving,turning,recovering,standing,"
+              "explorer_cpu,"
+              "navigator_cpu,area"),
         samples_(folder / ("coverage_" + world + ".csv"), "strategy,seed,time,distance,coverage"),
         paths_(folder / ("paths_" + world + ".csv"), "strategy,seed,x,y"),
         goals_(folder / ("goals_" + world + ".csv"), "strategy,seed,time,x,y,size,fate"),
@@ -100,7 +102,8 @@ class Tables {
               std::size_t{elsewhere ? 1U : 0U}, std::size_t{run.ended ? 1U : 0U},
               std::string_view(toString(run.ending)), run.end.time, run.end.distance,
               run.explored_time, run.explored_distance, run.end.coverage, run.from_home,
-              run.contacts.size(), unseenOf(run), run.goals.size(), run.explorer_cpu,
+              run.contacts.size(), unseenOf(run), run.goals.size(), run.times.driving,
+              run.times.turning, run.times.recovering, run.times.standing, run.explorer_cpu,
               run.navigator_cpu, area);
     for (const RunSample& sample : run.samples) {
       samples_.row(std::string_view(strategy), number, sample.time, sample.distance,

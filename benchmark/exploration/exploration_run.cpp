@@ -226,12 +226,27 @@ class Run {
                    : std::nullopt,
         velocity_);
     (void)robot_.command(step.velocity);
+    timeOf(step) += kDriveInterval;
     const bool reached = step.state == navigation::NavigationState::kReached;
     if (goal_ && (reached || step.state == navigation::NavigationState::kFailed)) {
       outcome_.goals.back().fate = reached ? "reached" : step.reason;
       explorer_.goalEnded(*goal_, reached);
       goal_.reset();
     }
+  }
+
+  /// What the time until the next command is spent on.
+  double& timeOf(const navigation::NavigatorStep& step) {
+    constexpr double kTurns = 0.1;    // [m/s] slower ones turn on the spot, if they do, by
+    constexpr double kTurning = 0.2;  // [rad/s]
+    if (step.state == navigation::NavigationState::kRecovering) {
+      return outcome_.times.recovering;
+    }
+    if (std::abs(velocity_.linear) < kTurns && std::abs(velocity_.angular) > kTurning) {
+      return outcome_.times.turning;
+    }
+    return step.state == navigation::NavigationState::kDriving ? outcome_.times.driving
+                                                               : outcome_.times.standing;
   }
 
   void sample() {

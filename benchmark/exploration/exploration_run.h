@@ -37,6 +37,14 @@ struct RunGoal {
   std::string fate;  ///< "reached", "dropped" for a better one, or why it was not reached
 };
 
+/// Where a run's time goes [s].
+struct RunTimes {
+  double driving{0.0};
+  double turning{0.0};     ///< on the spot
+  double recovering{0.0};  ///< from trouble
+  double standing{0.0};    ///< without a goal, or waiting
+};
+
 /// A collision.
 struct RunContact {
   double time{0.0};  ///< [s]
@@ -54,6 +62,7 @@ struct RunOutcome {
   double from_home{0.0};             ///< [m] of the robot at the end, in truth
   std::vector<RunContact> contacts;  ///< collisions, one after the other
   std::vector<RunGoal> goals;
+  RunTimes times;
   double explorer_cpu{0.0};   ///< [s]
   double navigator_cpu{0.0};  ///< [s]
   std::vector<RunSample> samples;
