@@ -96,6 +96,24 @@ def robustnessSection(results):
          'without a collision', 'collisions in all', 'of these unseen'], table)
 
 
+def timesSection(results):
+    """Where the time goes; tables of older runs do not say it."""
+    table = []
+    for world in results.worlds():
+        for strategy in strategiesOf(results.runs(world)):
+            rows = results.runs(world, strategy)
+            if 'driving' not in rows[0]:
+                continue
+            time = meanOf(rows, 'time')
+            table.append([world, STRATEGIES[strategy][0],
+                          f'{meanOf(rows, "distance") / time:.2f}']
+                         + [percent(meanOf(rows, key) / time, 1)
+                            for key in ('driving', 'turning', 'recovering', 'standing')])
+    return table and markdownTable(
+        ['world', 'strategy', 'mean speed (m/s)', 'driving', 'turning on the spot',
+         'out of trouble', 'standing'], table)
+
+
 def processorSection(results):
     table = []
     for world in results.worlds():
@@ -119,6 +137,7 @@ def detectorsSection(results):
 def sectionsOf(results):
     """Name in the page -> table."""
     sections = {'run': runSection(results), 'strategies': strategiesSection(results),
-                'bounds': boundsSection(results), 'robustness': robustnessSection(results), 'processor': processorSection(results),
+                'bounds': boundsSection(results), 'times': timesSection(results),
+                'robustness': robustnessSection(results), 'processor': processorSection(results),
                 'detectors': detectorsSection(results)}
     return {name: text for name, text in sections.items() if text}
