@@ -130,7 +130,16 @@ Order Explorer::update(double now, const std::optional<Pose2>& T_map_base) {
   return isDecisionDue(now) ? decide(now, *T_map_base) : Order{};
 }
 
+bool Explorer::isStepDone() const {
+  constexpr double kAhead = 0.3;  // [m] before its end the next one is given: the robot drives on
+  return !strategy_ && goal_state_ == GoalState::kDriving && last_pose_ &&
+         geometry::distance(*last_pose_, goal_->T_map_base) < kAhead;
+}
+
 bool Explorer::isDecisionDue(double now) const {
+  if (isStepDone()) {
+    return true;
+  }
   if (goal_state_ == GoalState::kReached) {
     return map_is_new_ || now - *goal_ended_ >= config_.settle_time;
   }
@@ -143,6 +152,9 @@ bool Explorer::isDecisionDue(double now) const {
 Order Explorer::decide(double now, const Pose2& T_map_base) {
   last_decision_ = now;
   const bool map_is_new = std::exchange(map_is_new_, false);
+  const bool step_is_done = isStepDone();
+  const Pose2 from = step_is_done ? goal_->T_map_base : T_map_base;  // steps join
+  goal_state_ = step_is_done ? GoalState::kReached : goal_state_;
   const Survey survey = surveyFrom(T_map_base);
   watchApproach(survey, now);
   judgeGoal(now);
@@ -160,7 +172,7 @@ Order Explorer::decide(double now, const Pose2& T_map_base) {
     return {};
   }
   if (!options.empty()) {
-    return choose(survey, options, T_map_base);
+    return choose(survey, options, from);
   }
   return set_aside_.isWaiting(now, config_.max_attempts) ? cancel() : whenNothingIsLeft();
 }

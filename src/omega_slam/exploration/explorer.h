@@ -111,6 +111,8 @@ class Explorer {
   void account(double now, const std::optional<geometry::Pose2>& T_map_base);
   void moveAlong(const geometry::MapMotion& motion, const MapView& old);
   [[nodiscard]] Survey surveyFrom(const geometry::Pose2& T_map_base) const;
+  /// Along a wall; steps are so short that the robot would stand most of the time.
+  [[nodiscard]] bool isStepDone() const;
   [[nodiscard]] bool isDecisionDue(double now) const;
   Order decide(double now, const geometry::Pose2& T_map_base);
   void judgeGoal(double now);

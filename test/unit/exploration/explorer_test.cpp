@@ -156,6 +156,21 @@ TEST(Explorer, ATourTakesAlongWhatComesIntoSightUnderWay) {
   }
 }
 
+TEST(Explorer, AlongAWallTheNextStepComesBeforeTheRobotStands) {
+  Explorer explorer(configOf("wall_following"));
+  test::ToyRobot robot(threeRooms(), kStart);
+  (void)explorer.start();
+  robot.look(explorer);
+  const Order first = explorer.update(0.0, kStart);
+  ASSERT_EQ(first.kind, Order::Kind::kGo);
+  const Pose2 end = first.goal.T_map_base;
+  EXPECT_EQ(explorer.update(0.2, end * Pose2{-0.4, 0.0, 0.0}).kind, Order::Kind::kKeepOn);
+  const Order next = explorer.update(0.4, end * Pose2{-0.2, 0.0, 0.0});
+  ASSERT_EQ(next.kind, Order::Kind::kGo);
+  EXPECT_NEAR(geometry::distance(next.goal.T_map_base, end), 0.5, 1e-9);
+  EXPECT_EQ(explorer.update(0.6, end).kind, Order::Kind::kKeepOn);
+}
+
 TEST(Explorer, PausesAndGoesOn) {
   UnderWay run;
   ASSERT_TRUE(run.explorer.goal());
