@@ -14,9 +14,14 @@ from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from nav_msgs.srv import GetPlan
+from omega_slam.msg import PoseGraph
+from sensor_msgs.msg import PointCloud2
+from sensor_msgs.point_cloud2 import create_cloud_xyz32
+from std_msgs.msg import Header
 from std_srvs.srv import Empty
 
 from simulator_support import Recorder, refusal, wait_until
+from synthetic import Pose, poseGraph
 
 START = (0.78, 0.78)
 FAR = (3.57, 2.18)  # six metres of corridor away
@@ -192,6 +197,27 @@ class NavigatorTest(unittest.TestCase):
         self.assertEqual(costmap.data[0], 100)
         self.assertIn(99, costmap.data)
         rospy.ServiceProxy('move_base/clear_costmaps', Empty)()
+
+    def test_what_it_has_touched_moves_with_the_graph(self):
+        self.drive(*START)
+        ahead = pose(START[0] + 0.35, START[1])
+        def way():
+            return self.make_plan(pose(*START), ahead, 0.0).plan.poses
+        self.assertTrue(way())
+        bumper = rospy.Publisher('mobile_base/sensors/bumper_pointcloud', PointCloud2, queue_size=1)
+        graph = rospy.Publisher('pose_graph', PoseGraph, queue_size=1)
+        wait_until(lambda: bumper.get_num_connections() and graph.get_num_connections(),
+                   'the navigator to listen')
+        graph.publish(poseGraph(1, [Pose(*START, 0.0)]))
+        contact = create_cloud_xyz32(Header(frame_id='base_footprint'), [(0.18, 0.0, 0.0)])
+        bumper.publish(contact)
+        wait_until(lambda: not way(), 'the contact to stand in the way')
+        graph.publish(poseGraph(1, [Pose(START[0], START[1] - 1.0, 0.0)]))
+        wait_until(way, 'the contact to move')
+        bumper.publish(contact)
+        wait_until(lambda: not way(), 'the next contact to stand in the way')
+        graph.publish(poseGraph(2, [Pose(*START, 0.0)]))
+        wait_until(way, 'contacts of another run to be forgotten')
 
     def test_asks_for_a_description_or_a_radius(self):
         said = refusal(self, 'navigator', 'bare_navigator', ['_description:=nobodys'])
