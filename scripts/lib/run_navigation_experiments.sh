@@ -24,20 +24,22 @@ navigate() {
   show_progress 'runs' "$DONE" "$RUNS"
 }
 
-# run_navigation_experiments QUERIES GOALS
+# run_navigation_experiments QUERIES GOALS SEEDS
 run_navigation_experiments() {
-  local queries=$1 goals=$2 world map planner
+  local queries=$1 goals=$2 seeds=$3 world map planner seed
   new_tables
-  RUNS=$((2 * ${#NAVIGATION_WORLDS[@]} + ${#COMPARED_PLANNERS[@]}))
+  RUNS=$(((1 + seeds) * ${#NAVIGATION_WORLDS[@]} + ${#COMPARED_PLANNERS[@]}))
   for world in "${NAVIGATION_WORLDS[@]}"; do
     map=$(navigation_map "$world")
     if [[ ! -f $map ]]; then
       say "Without $world: OMEGA_SLAM_DATA does not lead to its map."
-      RUNS=$((RUNS - 2))
+      RUNS=$((RUNS - 1 - seeds))
       continue
     fi
     navigate queries "$map" queries --count "$queries"
-    navigate goals "$map" goals --count "$goals"
+    for ((seed = 1; seed <= seeds; ++seed)); do
+      navigate goals "$map" --seed "$seed" goals --count "$goals"
+    done
   done
   for planner in "${COMPARED_PLANNERS[@]}"; do
     navigate planners "$(navigation_map lab)" queries --planner "$planner" \
