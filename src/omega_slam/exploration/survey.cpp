@@ -14,6 +14,7 @@ namespace omega_slam::exploration {
 namespace {
 
 constexpr double kSnap = 1.0;          // [m] from a robot that is too close to something to room
+constexpr double kPocket = 1.0;        // [m^2] of room that is taken to be closed by mistake
 constexpr double kViewDistance = 2.0;  // [m] viewpoints farther from a frontier are none
 constexpr double kShort = 1.0;         // [m] a shorter frontier in a gap too narrow is left alone
 constexpr double kWayAhead = 0.5;      // [m] of a way that tell the direction in which it begins
@@ -38,6 +39,27 @@ StandingRoom roomFor(const grid::OccupancyGrid& map, const MapView& with_own_pla
                                                    : std::move(room);
 }
 
+/// The cells with room around a place that can be seen from there.
+std::vector<Cell> roomInSight(const StandingRoom& room, const MapView& map,
+                              const Eigen::Vector2d& place) {
+  std::vector<Cell> cells = room.nearestRoom(place, kSnap);
+  const Cell here = map.cellAt(place);
+  for (const Cell& step : discAround(kSnap / map.geometry().resolution)) {
+    if (room.hasRoomAt(here + step) && isInSight(map, here, here + step)) {
+      cells.push_back(here + step);
+    }
+  }
+  return cells;
+}
+
+/// From where the robot is. It may stand in a pocket between table legs which the map, a cell off,
+/// shows closed; as it has got in, it gets out to the room that it sees around.
+TravelField travelFrom(const StandingRoom& room, const MapView& map, const Eigen::Vector2d& place) {
+  TravelField travel(room, place, kSnap);
+  return travel.reachedArea() < kPocket ? TravelField(room, roomInSight(room, map, place))
+                                        : std::move(travel);
+}
+
 }  // namespace
 
 Survey::Survey(const grid::OccupancyGrid& map, const std::vector<Eigen::Vector2d>& touched,
@@ -48,7 +70,7 @@ Survey::Survey(const grid::OccupancyGrid& map, const std::vector<Eigen::Vector2d
       robot_radius_(robot_radius),
       sensor_range_(sensor_range),
       room_(roomFor(blockedAt(touched, map), view_, robot_radius, T_map_base.translation())),
-      travel_(room_, T_map_base.translation(), kSnap) {}
+      travel_(travelFrom(room_, view_, T_map_base.translation())) {}
 
 double Survey::turnTowards(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d way = point - T_map_base_.translation();

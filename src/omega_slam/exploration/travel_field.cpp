@@ -17,12 +17,19 @@ constexpr std::uint32_t costOf(std::size_t neighbour) {
 
 }  // namespace
 
-TravelField::TravelField(const StandingRoom& room, const Eigen::Vector2d& start, double snap)
+TravelField::TravelField(const StandingRoom& room, const std::vector<Cell>& start)
     : room_(&room), steps_(room.geometry().size(), kNowhere) {
   for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
     ways_[k] = static_cast<Index>(kNeighbours[k].y()) * room.geometry().width + kNeighbours[k].x();
   }
-  spread(room.nearestRoom(start, snap));
+  spread(start);
+}
+
+double TravelField::reachedArea() const {
+  const auto reached =
+      std::count_if(steps_.begin(), steps_.end(), [](Steps steps) { return steps != kNowhere; });
+  const double edge = room_->geometry().resolution;
+  return static_cast<double>(reached) * edge * edge;
 }
 
 bool TravelField::canStep(Index from, std::size_t neighbour) const {

@@ -19,7 +19,13 @@ class TravelField {
  public:
   /// @param start [m] map frame. Without room there, the cells with room nearest to it begin the
   /// search, as far as `snap` [m].
-  TravelField(const StandingRoom& room, const Eigen::Vector2d& start, double snap);
+  TravelField(const StandingRoom& room, const Eigen::Vector2d& start, double snap)
+      : TravelField(room, room.nearestRoom(start, snap)) {}
+
+  /// @param start cells with room, from all of which the search begins
+  TravelField(const StandingRoom& room, const std::vector<Cell>& start);
+
+  [[nodiscard]] double reachedArea() const;  ///< [m^2] of cells to which there is a way
 
   /// [m] none if there is no way.
   [[nodiscard]] std::optional<double> distanceTo(const Cell& cell) const;
