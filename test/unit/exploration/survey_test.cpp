@@ -5,8 +5,8 @@
 namespace omega_slam::exploration {
 namespace {
 
-/// A hall of 6 by 6 m above a niche, 0.8 m wide and so many cells of 0.1 m deep, with a table leg at
-/// each side of its mouth: a robot of 0.23 m fits in there, but not between the legs.
+/// A hall of 6 by 6 m above a niche, 0.8 m wide and so many cells of 0.1 m deep, with a table leg
+/// at each side of its mouth: a robot of 0.23 m fits in there, but not between the legs.
 grid::OccupancyGrid nicheOf(int depth) {
   grid::OccupancyGrid map = grid::makeGrid({0.1, {0.0, 0.0}, 60, 60 + depth}, grid::kOccupied);
   for (int row = 1; row < map.geometry.height - 1; ++row) {
@@ -31,9 +31,7 @@ TEST(Survey, ARobotInAPocketGetsOutAsItGotIn) {
   EXPECT_GT(*way, 3.0);
 }
 
-TEST(Survey, FromARoomThereIsNoWayThroughAGapThatIsTooNarrow) {
-  EXPECT_FALSE(wayFromTheNiche(60));
-}
+TEST(Survey, FromARoomThereIsNoWayThroughAGapThatIsTooNarrow) { EXPECT_FALSE(wayFromTheNiche(60)); }
 
 }  // namespace
 }  // namespace omega_slam::exploration
