@@ -26,6 +26,10 @@ constexpr double kOdometryFloorRotation = 0.005;    // [rad]
 /// Squared Mahalanobis distance from which on the odometry between two keyframes counts as wrong.
 constexpr double kSlip = 16.0;
 
+/// Of what the odometry's variance grows by with a step. Steps that follow each other share their
+/// errors, so that most of the growth is of what matches have seen already on the steps before.
+constexpr double kStepShare = 0.3;
+
 /// So many keyframes before it are matched with a new one, scan to scan.
 constexpr NodeId kPairs = 2;
 
@@ -142,7 +146,8 @@ FrontEndResult FrontEnd::begin(const sensing::Sweep& sweep, const motion::Predic
 }
 
 /// The motion since the last sweep; none is known where the odometry has jumped. Predictions tell
-/// the uncertainty since the last keyframe; what it has grown by is that of the step.
+/// the uncertainty since the last keyframe; what it has grown by is that of the step. Where they
+/// tell less than before, there has been a keyframe, and all of it is.
 OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction, FrontEndResult& result) {
   OdometryStep step;
   step.motion = relativePose(last_.T_odom_base, prediction.T_odom_base);
@@ -156,9 +161,12 @@ OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction, FrontEndResu
   Eigen::Matrix3d moved = Eigen::Matrix3d::Identity();
   moved(0, 2) = -(prediction.T_odom_base.y - last_.T_odom_base.y);
   moved(1, 2) = prediction.T_odom_base.x - last_.T_odom_base.x;
+  const Eigen::Matrix3d before = moved * last_.covariance * moved.transpose();
+  const bool is_counted_anew = prediction.covariance.trace() < before.trace();
   const Eigen::Matrix3d grown =
-      withoutNegatives(prediction.covariance - moved * last_.covariance * moved.transpose());
-  step.covariance = geometry::rotateCovariance(grown, -last_.T_odom_base.theta);
+      is_counted_anew ? prediction.covariance : withoutNegatives(prediction.covariance - before);
+  step.covariance = kStepShare * odometry_scale_.value() *
+                    geometry::rotateCovariance(grown, -last_.T_odom_base.theta);
   return step;
 }
 
@@ -182,8 +190,21 @@ void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Predictio
         matchConstraint(before.id, result.keyframe->id, match, ConstraintKind::kMatch));
     matchPairs(tracked, result);
   }
+  if (tracked.is_trusted && !odometry_jumped_) {
+    weighOdometry(before, *result.keyframe, prediction.covariance, tracked.matched);
+  }
   surroundings_.add(result.keyframe, belief_.pose);
   odometry_jumped_ = false;
+}
+
+/// Learns from what was seen how far the odometry between two keyframes was off.
+void FrontEnd::weighOdometry(const Keyframe& from, const Keyframe& to,
+                             const Eigen::Matrix3d& covariance_in_odom, const Belief& matched) {
+  const Pose2& before = surroundings_.newest();
+  const double turn = before.theta - from.T_odom_base.theta;
+  odometry_scale_.note({before * relativePose(from.T_odom_base, to.T_odom_base),
+                        geometry::rotateCovariance(covariance_in_odom, turn)},
+                       matched);
 }
 
 /// Adds what the scans of the keyframe and of the newest before it say of each other.
@@ -235,7 +256,7 @@ Constraint FrontEnd::odometryConstraint(const Keyframe& from, const Keyframe& to
   const Pose2 seen = relativePose(surroundings_.newest(), tracked.belief.pose);
   constraint.T_from_to = odometry_jumped_ ? seen : relativePose(from.T_odom_base, to.T_odom_base);
   Eigen::Matrix3d covariance =
-      tracker_.odometryScale() *
+      odometry_scale_.value() *
       geometry::rotateCovariance(covariance_in_odom, -to.T_odom_base.theta);
   covariance.diagonal() +=
       Eigen::Vector3d(kOdometryFloorTranslation, kOdometryFloorTranslation, kOdometryFloorRotation)

@@ -10,6 +10,7 @@
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
 #include "omega_slam/slam/lost_judge.h"
+#include "omega_slam/slam/odometry_scale.h"
 #include "omega_slam/slam/pair_matcher.h"
 #include "omega_slam/slam/relocaliser.h"
 #include "omega_slam/slam/scan_tracker.h"
@@ -80,6 +81,8 @@ class FrontEnd {
                                  const motion::Prediction& prediction) const;
   void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
+  void weighOdometry(const Keyframe& from, const Keyframe& to,
+                     const Eigen::Matrix3d& covariance_in_odom, const Belief& matched);
   void matchPairs(const TrackedScan& tracked, FrontEndResult& result) const;
   void resumeAt(const Relocation& found, const sensing::Sweep& sweep,
                 const motion::Prediction& prediction, FrontEndResult& result);
@@ -91,6 +94,7 @@ class FrontEnd {
 
   FrontEndConfig config_;
   ScanTracker tracker_;
+  OdometryScale odometry_scale_;
   Surroundings surroundings_;
   LostJudge judge_;
   PairMatcher pairs_;

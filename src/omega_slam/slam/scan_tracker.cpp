@@ -2,8 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 #include "omega_slam/geometry/covariance.h"
 #include "omega_slam/matching/map_evidence.h"
@@ -34,15 +32,9 @@ constexpr double kMostContradiction = 0.2;
 /// How far around odometry that was wrong a scan is looked for.
 constexpr matching::SearchWindow kRecovery{1.5, 3.15};
 
-// Of the scale of the odometry's variances.
-constexpr double kLeastScale = 0.25;
-constexpr double kMostScale = 100.0;
-constexpr double kLearningRate = 0.02;  // a scan's share
-
-Belief predict(const Belief& before, const OdometryStep& step, double scale) {
-  return {before.pose * step.motion,
-          geometry::composeCovariance(before.pose, before.covariance, step.motion,
-                                      scale * step.covariance)};
+Belief predict(const Belief& before, const OdometryStep& step) {
+  return {before.pose * step.motion, geometry::composeCovariance(before.pose, before.covariance,
+                                                                 step.motion, step.covariance)};
 }
 
 /// Kalman update.
@@ -90,8 +82,8 @@ bool ScanTracker::fitsBetter(const matching::LocalMap& map, const matching::View
 }
 
 TrackedScan ScanTracker::track(const matching::LocalMap& map, const matching::View& scan,
-                               const Belief& before, const OdometryStep& step) {
-  const Belief predicted = predict(before, step, scale_);
+                               const Belief& before, const OdometryStep& step) const {
+  const Belief predicted = predict(before, step);
   TrackedScan tracked;
   tracked.predicted = predicted;
   tracked.belief = predicted;
@@ -103,9 +95,9 @@ TrackedScan ScanTracker::track(const matching::LocalMap& map, const matching::Vi
   }
 
   Belief matched{tracked.match.T_reference_scan, kMatchShare * tracked.match.covariance};
+  tracked.matched = matched;
   const Eigen::Vector3d innovation = differenceOf(matched.pose, predicted.pose);
   const double squared = squaredDistance(predicted, matched);
-  learn(squared);
   if (squared > kApart) {
     tracked.has_slipped = fitsBetter(map, scan, tracked.match, predicted.pose);
     if (tracked.has_slipped) {
@@ -130,16 +122,11 @@ TrackedScan ScanTracker::recover(const matching::LocalMap& map, const matching::
   TrackedScan recovered;
   recovered.predicted = tracked.predicted;
   recovered.match = *found;
-  recovered.belief = {found->T_reference_scan, found->covariance};
+  recovered.matched = {found->T_reference_scan, found->covariance};
+  recovered.belief = recovered.matched;
   recovered.is_trusted = true;
   recovered.has_slipped = true;
   return recovered;
-}
-
-/// @param squared Mahalanobis distance between a prediction and a match
-void ScanTracker::learn(double squared) {
-  scale_ *= std::exp(kLearningRate * (std::min(squared / 3.0, 4.0) - 1.0));
-  scale_ = std::clamp(scale_, kLeastScale, kMostScale);
 }
 
 }  // namespace omega_slam::slam
