@@ -30,6 +30,21 @@ constexpr NodeId kMemory = 30;      // keyframes that a loop waits for a second 
 constexpr double kAgreeTranslation = 0.3;  // [m]
 constexpr double kAgreeRotation = 0.05;    // [rad]
 
+/// [m] What is seen farther away counts as if it were here: walls at the end of a corridor are few.
+constexpr double kFar = 5.0;
+
+/// The middle of what was seen, in the base's frame.
+Eigen::Vector2d centreOfView(const sensing::Sweep& sweep) {
+  const Eigen::Vector2d laser = sweep.T_base_laser.translation();
+  const auto returns = sweep.returns();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& end : returns) {
+    const Eigen::Vector2d ray = end - laser;
+    sum += ray * std::min(1.0, kFar / ray.norm());
+  }
+  return laser + sum / std::max(1.0, static_cast<double>(returns.size()));
+}
+
 /// Whether two loops, followed one after the other with the graph's paths between, lead back.
 bool agree(const Constraint& a, const Constraint& b, const std::vector<Pose2>& poses) {
   const Pose2 by_a = a.T_from_to * relativePose(poses[a.to], poses[b.to]);
@@ -59,7 +74,10 @@ std::vector<std::string> LoopCloserConfig::validate() const {
 LoopCloser::LoopCloser(const LoopCloserConfig& config)
     : config_((geometry::throwIfAny(config.validate()), config)), matcher_(config.place) {}
 
-void LoopCloser::addKeyframe(KeyframePtr keyframe) { keyframes_.push_back(std::move(keyframe)); }
+void LoopCloser::addKeyframe(KeyframePtr keyframe) {
+  seen_.push_back(centreOfView(keyframe->sweep));
+  keyframes_.push_back(std::move(keyframe));
+}
 
 void LoopCloser::reset() { *this = LoopCloser(config_); }
 
@@ -84,8 +102,9 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
   graph::PathUncertainty known(graph, id);
   const auto separation = static_cast<NodeId>(config_.min_separation);
   std::vector<Candidate> all;
+  const Eigen::Vector2d seen = graph.poses[id] * seen_[id];
   for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
-    const double way = distance(graph.poses[earlier], graph.poses[id]);
+    const double way = (graph.poses[earlier] * seen_[earlier] - seen).norm();
     if (way > config_.search_radius + config_.max_window.translation || !known.reaches(earlier)) {
       continue;  // what is not reached has retired, and newer ones have seen its place
     }

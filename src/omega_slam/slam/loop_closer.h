@@ -28,9 +28,11 @@ struct LoopCloserConfig {
 /// Finds places that the robot has been to before. Not thread-safe: one owner calls it.
 ///
 /// Where and how far to look comes from the uncertainty of the graph, not from a fixed radius: a
-/// candidate is any earlier keyframe whose place, within two deviations of what the graph knows
-/// of it from here, could be the robot's. Those come first of which most would be learnt. The
-/// window that is searched spans two deviations to each side.
+/// candidate is any earlier keyframe that, within two deviations of what the graph knows of it
+/// from here, could have seen what the robot sees. A place is where the middle of a view lies, not
+/// where the robot stood: one that comes back along a corridor looks the other way, and has the
+/// walls in common with keyframes that lie ahead. Those come first of which most would be learnt.
+/// The window that is searched spans two deviations to each side.
 ///
 /// PlaceMatcher says what is to be believed. A loop from a wide window also waits until another
 /// one, from another keyframe, tells the same of where the robot is.
@@ -67,6 +69,7 @@ class LoopCloser {
   LoopCloserConfig config_;
   PlaceMatcher matcher_;
   std::vector<KeyframePtr> keyframes_;
+  std::vector<Eigen::Vector2d> seen_;  ///< [m] the middle of what each saw, in its base frame
   std::vector<graph::Constraint> unconfirmed_;  ///< from wide windows, the newest last
 };
 

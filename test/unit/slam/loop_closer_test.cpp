@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "omega_slam/geometry/angle.h"
 #include "omega_slam/sensing/scan_intake.h"
 #include "support/chains.h"
 #include "support/poses.h"
@@ -18,6 +21,30 @@ using geometry::Pose2;
 KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base) {
   std::mt19937_64 random(id);
   const auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
+  return std::make_shared<const Keyframe>(
+      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep});
+}
+
+/// A hall of 12 x 4 m with things in the middle of it.
+test::Room hall() {
+  test::Room room;
+  room.addBox({-6.0, -2.0}, {6.0, 2.0});
+  room.addBox({-1.5, -2.0}, {-0.5, -1.2});
+  room.addBox({0.8, 1.5}, {1.6, 2.0});
+  room.addBox({-0.2, 0.9}, {0.2, 1.3});
+  return room;
+}
+
+/// In the hall, and one that sees nothing behind it.
+KeyframePtr lookingAheadAt(graph::NodeId id, const Pose2& T_room_base) {
+  std::mt19937_64 random(id);
+  auto scan = test::measure(hall(), T_room_base, 360, 0.005, random);
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+    if (std::cos(angle) < 0.0) {
+      scan.ranges[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
   return std::make_shared<const Keyframe>(
       Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep});
 }
@@ -60,6 +87,32 @@ TEST(LoopCloser, FindsTheFirstVisitFromAPoorGuess) {
   EXPECT_EQ(loops[0].kind, graph::ConstraintKind::kLoop);
   const auto gap =
       test::gapBetween(loops[0].T_from_to, relativePose(truth[loops[0].from], truth[8]));
+  EXPECT_LT(gap.translation, 0.03);
+  EXPECT_LT(gap.rotation, 0.02);
+}
+
+TEST(LoopCloser, LooksWhereTheSameWasSeen) {
+  LoopCloserConfig config = smallConfig();
+  config.search_radius = 1.5;
+  config.max_candidates = 1;
+  config.neighbours = 0;
+  config.place.min_confidence = 0.3;  // at the ends each sees what the other does not
+  // The second stood where the robot stands now, but looked the other way.
+  const std::vector<Pose2> poses{{-1.2, 0.2, 0.0},
+                                 {0.0, 0.2, geometry::kPi},
+                                 {-2.0, 0.2, geometry::kPi},
+                                 {-3.0, 0.2, geometry::kPi},
+                                 {-2.0, 0.2, 0.0},
+                                 {-1.0, 0.2, 0.0},
+                                 {0.0, 0.2, 0.0}};
+  LoopCloser closer(config);
+  for (graph::NodeId id = 0; id < poses.size(); ++id) {
+    closer.addKeyframe(lookingAheadAt(id, poses[id]));
+  }
+  const auto loops = closer.search(6, test::chainOf(poses, kDeviation));
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_EQ(loops[0].from, 0U);
+  const auto gap = test::gapBetween(loops[0].T_from_to, relativePose(poses[0], poses[6]));
   EXPECT_LT(gap.translation, 0.03);
   EXPECT_LT(gap.rotation, 0.02);
 }
