@@ -11,7 +11,7 @@
 namespace omega_slam::sensing {
 
 struct ScanIntakeConfig {
-  double min_range{0.0};  ///< [m] Nearer returns are ignored; the scan's own range_min also holds.
+  double min_range{0.2};  ///< [m] Nearer returns are ignored; the scan's own range_min also holds.
   double max_range{
       0.0};  ///< [m] Farther returns say only "free so far"; 0: the scan's own range_max.
   double no_return_range{1.5};   ///< [m] A beam without return clears so far, but not beyond the

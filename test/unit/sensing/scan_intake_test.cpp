@@ -154,6 +154,13 @@ TEST(ScanIntake, AcceptsAnyCountOfBeams) {
   }
 }
 
+TEST(ScanIntake, TheRobotsOwnPostsAreNoWalls) {
+  const auto sweep = *ScanIntake({}).process(threeBeams(0.15F, 0.25F, 0.19F), {}).sweep;
+  EXPECT_EQ(sweep.beams[0].kind, BeamKind::kUnknown);
+  EXPECT_EQ(sweep.beams[1].kind, BeamKind::kReturn);
+  EXPECT_EQ(sweep.beams[2].kind, BeamKind::kUnknown);
+}
+
 TEST(ScanIntake, ConfigurationIsChecked) {
   ScanIntakeConfig config;
   config.min_range = -1.0;
