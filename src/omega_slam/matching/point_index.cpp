@@ -75,16 +75,20 @@ void PointIndex::visitRow(std::int32_t y, std::int32_t first_x, std::int32_t las
   }
 }
 
-std::optional<PointIndex::Neighbour> PointIndex::nearest(
+std::optional<PointIndex::Nearest> PointIndex::nearest(
     const Eigen::Vector2d& query, double reach, const std::array<std::size_t, 2>& likely) const {
   constexpr auto kNone = std::numeric_limits<std::size_t>::max();
   std::size_t best = kNone;
   double smallest = reach * reach;
+  double next = smallest;
   const auto visit = [&](const Entry& entry) {
     const double squared = (entry.point - query).squaredNorm();
     if (squared < smallest || (squared == smallest && best == kNone)) {
+      next = smallest;
       smallest = squared;
       best = entry.index;
+    } else if (squared < next && entry.index != best) {
+      next = squared;
     }
   };
   for (const std::size_t first : likely) {
@@ -95,33 +99,39 @@ std::optional<PointIndex::Neighbour> PointIndex::nearest(
   if (ringsTo(reach) > kWidest) {
     std::for_each(entries_.begin(), entries_.end(), visit);
   } else {
-    searchRings(query, ringsTo(reach), smallest, visit);
+    const double unseen = searchRings(query, ringsTo(reach), smallest, visit);
+    next = std::min(next, unseen);
   }
   if (best == kNone) {
     return std::nullopt;
   }
-  return Neighbour{best, smallest};
+  return Nearest{best, smallest, next};
 }
 
+/// Visits what may be nearer than the smallest squared distance so far.
+/// @return [m^2] nothing within the rings that was not visited is nearer
 template <class Visitor>
-void PointIndex::searchRings(const Eigen::Vector2d& query, std::int32_t rings,
-                             const double& smallest, Visitor visit) const {
+double PointIndex::searchRings(const Eigen::Vector2d& query, std::int32_t rings,
+                               const double& smallest, Visitor visit) const {
   const Cell cell = cellOf(query);
   const Eigen::Vector2d corner((cell.x - kFarthest) * kCell, (cell.y - kFarthest) * kCell);
   const Eigen::Vector2d below = query - corner;  // to the cell's own borders
   const Eigen::Vector2d above = Eigen::Vector2d::Constant(kCell) - below;
+  double unseen = std::numeric_limits<double>::infinity();
   visitRow(cell.y, cell.x, cell.x, visit);
   for (std::int32_t ring = 1; ring <= rings; ++ring) {
     const auto isClose = [&](double to_own_border) {
       const double gap = std::max(0.0, to_own_border + (ring - 1) * kCell);
-      return gap * gap <= smallest;
+      const bool is_close = gap * gap <= smallest;
+      unseen = is_close ? unseen : std::min(unseen, gap * gap);
+      return is_close;
     };
     const bool down = isClose(below.y());
     const bool up = isClose(above.y());
     const bool left = isClose(below.x());
     const bool right = isClose(above.x());
     if (!down && !up && !left && !right) {
-      return;
+      break;
     }
     if (down) {
       visitRow(cell.y - ring, cell.x - ring, cell.x + ring, visit);
@@ -138,6 +148,7 @@ void PointIndex::searchRings(const Eigen::Vector2d& query, std::int32_t rings,
       }
     }
   }
+  return unseen;
 }
 
 void PointIndex::within(const Eigen::Vector2d& query, double radius,

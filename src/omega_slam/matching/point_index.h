@@ -29,13 +29,18 @@ class PointIndex {
     double squared_distance{0.0};  ///< [m^2]
   };
 
+  struct Nearest {
+    std::size_t index{0};          ///< of the point among those given
+    double squared_distance{0.0};  ///< [m^2]
+    double squared_next{0.0};      ///< [m^2] all others are as far away as this, or farther
+  };
+
   /// The nearest point, none if it is farther than `reach` [m].
   /// @param likely indices of points that are likely to be near, as the last answer where queries
   /// follow a sweep: they and those after them are looked at first, and leave fewer others to look
   /// at
-  [[nodiscard]] std::optional<Neighbour> nearest(
-      const Eigen::Vector2d& query, double reach,
-      const std::array<std::size_t, 2>& likely = {}) const;
+  [[nodiscard]] std::optional<Nearest> nearest(const Eigen::Vector2d& query, double reach,
+                                               const std::array<std::size_t, 2>& likely = {}) const;
 
   /// All points within a radius [m], in no particular order but always the same.
   void within(const Eigen::Vector2d& query, double radius,
@@ -55,8 +60,8 @@ class PointIndex {
   template <class Visitor>
   void visitRow(std::int32_t y, std::int32_t first_x, std::int32_t last_x, Visitor visit) const;
   template <class Visitor>
-  void searchRings(const Eigen::Vector2d& query, std::int32_t rings, const double& smallest,
-                   Visitor visit) const;
+  [[nodiscard]] double searchRings(const Eigen::Vector2d& query, std::int32_t rings,
+                                   const double& smallest, Visitor visit) const;
 
   const Points& points_;
   std::vector<std::uint32_t> starts_;  // of each bucket's entries, and the end

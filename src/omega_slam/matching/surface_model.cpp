@@ -96,23 +96,33 @@ const SurfaceModel::Partner* SurfaceModel::partnerOf(std::size_t point,
     findings_.resize(point + 1);
   }
   Finding& finding = findings_[point];
-  if (finding.clearance - (p_reference - finding.place).norm() > reach + kRounding) {
+  const double moved = (p_reference - finding.place).norm();
+  if (reference_.empty() || finding.clearance - moved > reach + kRounding) {
     return nullptr;  // nothing can have come that near
   }
-  const double beyond = reach + kBeyond;
-  const auto nearest = index_.nearest(p_reference, beyond, {finding.nearest, latest_});
+  if (moved >= finding.slack) {
+    search(finding, p_reference, reach + kBeyond);
+  }
+  if ((reference_[finding.nearest] - p_reference).squaredNorm() > reach * reach) {
+    return nullptr;
+  }
+  latest_ = finding.nearest;
+  return surfaceAt(finding.nearest);
+}
+
+/// Where nothing is within reach, the nearest of before stays, which is too far away.
+void SurfaceModel::search(Finding& finding, const Eigen::Vector2d& p_reference,
+                          double reach) const {
+  const auto nearest = index_.nearest(p_reference, reach, {finding.nearest, latest_});
   finding.place = p_reference;
   if (!nearest) {
-    finding.clearance = beyond;
-    return nullptr;
+    finding.clearance = reach;
+    finding.slack = -1.0;
+    return;
   }
   finding.nearest = nearest->index;
   finding.clearance = std::sqrt(nearest->squared_distance);
-  if (nearest->squared_distance > reach * reach) {
-    return nullptr;
-  }
-  latest_ = nearest->index;
-  return surfaceAt(nearest->index);
+  finding.slack = 0.5 * (std::sqrt(nearest->squared_next) - finding.clearance) - kRounding;
 }
 
 const SurfaceModel::Partner* SurfaceModel::surfaceAt(std::size_t index) {

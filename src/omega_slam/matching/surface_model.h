@@ -29,18 +29,28 @@ struct Surface {
   }
 
   /// The part of it to build on. Noise tilts the normals, and what is tilted pretends to know
-  /// something along the wall: by s^2 t t^T on average, with the tangent t and the slope's variance
-  /// s^2; three times that is taken off, since neighbours tilt together. Where points form neither
-  /// a line nor a spot, as at the end of a wall that the laser sees no farther, nothing is left.
+  /// something along the wall, which is taken off: see doubt(). Where points form neither a line
+  /// nor a spot, as at the end of a wall that the laser sees no farther, nothing is left.
   [[nodiscard]] Eigen::Matrix2d certainInformation() const {
-    constexpr double kDoubt = 3.0;
     if (isLine()) {
       const Eigen::Vector2d tangent(-normal.y(), normal.x());
-      return information() - kDoubt * slope_variance * tangent * tangent.transpose();
+      return information() - doubt() * tangent * tangent.transpose();
     }
     return is_spot ? information() : Eigen::Matrix2d::Zero();
   }
+
+  /// What a line pretends to know along itself: s^2 t t^T on average, with the tangent t and the
+  /// slope's variance s^2; three times that, since neighbours tilt together.
+  [[nodiscard]] double doubt() const { return 3.0 * slope_variance; }
 };
+
+/// How far along a direction a point of the scan moves with the scan's pose (x, y, theta), to first
+/// order: the derivatives.
+/// @param arm [m] from the scan's origin to the point; in the axes of the direction
+[[nodiscard]] inline Eigen::Vector3d byPose(const Eigen::Vector2d& direction,
+                                            const Eigen::Vector2d& arm) {
+  return {direction.x(), direction.y(), arm.x() * direction.y() - arm.y() * direction.x()};
+}
 
 /// What is known of a point's place, as what is thereby known of the pose (x, y, theta) of the scan
 /// that it belongs to: J^T I J with the derivatives J of its place by the pose.
@@ -83,7 +93,8 @@ class SurfaceModel {
   [[nodiscard]] std::optional<Partner> partnerOf(const Eigen::Vector2d& p_reference, double reach);
 
   /// The same for a point of a scan that is asked for again and again while the scan moves little:
-  /// what was found the last time leaves little to search for.
+  /// most are then known to have the same nearest point as the last time (as in Greenspan and Godin
+  /// 2001, "A nearest neighbor method for efficient ICP", 3DIM), and no search is needed.
   /// @param point its number, the same each time; any number will do, but a wrong one takes longer
   /// @return none: nullptr. Valid as long as the model
   [[nodiscard]] const Partner* partnerOf(std::size_t point, const Eigen::Vector2d& p_reference,
@@ -95,8 +106,10 @@ class SurfaceModel {
     Eigen::Vector2d place{0.0, 0.0};  ///< [m] where it was
     std::size_t nearest{0};           ///< of the reference's points
     double clearance{0.0};            ///< [m] around the place, in which there is no other
+    double slack{-1.0};  ///< [m] as long as the point has moved by less, that one is the nearest
   };
 
+  void search(Finding& finding, const Eigen::Vector2d& p_reference, double reach) const;
   [[nodiscard]] const Partner* surfaceAt(std::size_t index);
   [[nodiscard]] Partner fitAround(std::size_t index);
   [[nodiscard]] Partner fitSweep(std::size_t index) const;

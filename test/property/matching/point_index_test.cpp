@@ -27,6 +27,10 @@ void compareWithBruteForce(const Points& points, const Eigen::Vector2d& query, d
   if (nearest) {
     EXPECT_EQ(nearest->squared_distance, expected);
     EXPECT_EQ((points[nearest->index] - query).squaredNorm(), expected);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_TRUE(i == nearest->index ||
+                  (points[i] - query).squaredNorm() >= nearest->squared_next * (1.0 - 1e-9));
+    }
   }
   std::vector<PointIndex::Neighbour> found;
   index.within(query, reach, found);
