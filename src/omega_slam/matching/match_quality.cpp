@@ -44,10 +44,18 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
 
 void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
                         const Eigen::Vector2d& arm) {
-  // Along a wall the spacing of its points is no error.
-  squared_residuals += surface.isLine() ? std::pow(surface.normal.dot(gap), 2) : gap.squaredNorm();
-  hessian += poseInformation(surface.certainInformation(), arm);
   ++partners;
+  if (surface.isLine()) {
+    // Along a wall the spacing of its points is no error.
+    const double distance = surface.normal.dot(gap);
+    squared_residuals += distance * distance;
+    const Eigen::Vector3d across = byPose(surface.normal, arm);
+    const Eigen::Vector3d along = byPose({-surface.normal.y(), surface.normal.x()}, arm);
+    hessian += across * across.transpose() - surface.doubt() * along * along.transpose();
+  } else {
+    squared_residuals += gap.squaredNorm();
+    hessian += poseInformation(surface.certainInformation(), arm);
+  }
 }
 
 void nameOpenDirection(MatchResult& result) {

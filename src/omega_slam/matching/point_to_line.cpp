@@ -19,15 +19,26 @@ constexpr double kStiffness = 1e4;      // of what holds open directions, over a
 
 void PointToLineEquations::add(const Surface& surface, const Eigen::Vector2d& gap,
                                const Eigen::Vector2d& arm, const DistanceKernel& kernel) {
-  const Eigen::Matrix2d information = surface.information();
-  const double squared_tolerance = kernel.tolerance * kernel.tolerance;
-  const double squared_distance = gap.dot(information * gap);
-  const double weight =
-      1.0 / (1.0 + squared_distance / squared_tolerance) / (kernel.deviation * kernel.deviation);
-  const Eigen::Vector2d pull = weight * (information * gap);
-  matrix += poseInformation(weight * information, arm);
-  vector -= Eigen::Vector3d(pull.x(), pull.y(), arm.x() * pull.y() - arm.y() * pull.x());
-  certain += poseInformation(weight * surface.certainInformation(), arm);
+  if (surface.isLine()) {
+    const Eigen::Vector3d across = byPose(surface.normal, arm);
+    const Eigen::Vector3d along = byPose({-surface.normal.y(), surface.normal.x()}, arm);
+    const double distance = surface.normal.dot(gap);
+    const double weight = kernel.weightAt(distance * distance);
+    const Eigen::Vector3d weighted = weight * across;
+    const Eigen::Matrix3d known = weighted * across.transpose();
+    matrix += known;
+    vector -= distance * weighted;
+    certain += known - (weight * surface.doubt()) * along * along.transpose();
+    return;
+  }
+  // The partner itself, half in each direction.
+  const double weight = 0.5 * kernel.weightAt(0.5 * gap.squaredNorm());
+  const Eigen::Matrix3d known = weight * poseInformation(Eigen::Matrix2d::Identity(), arm);
+  matrix += known;
+  vector -= weight * byPose(gap, arm);
+  if (surface.is_spot) {
+    certain += known;
+  }
 }
 
 PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,

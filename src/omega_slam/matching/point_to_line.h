@@ -13,6 +13,12 @@ struct DistanceKernel {
   double reach{0.1};       ///< [m] farther partners are none
   double deviation{0.02};  ///< [m] standard deviation of a range
   double tolerance{0.04};  ///< [m] Cauchy's constant: a point so far off counts half
+
+  /// [1/m^2] of a point so far off.
+  [[nodiscard]] double weightAt(double squared_distance) const {
+    const double squared = tolerance * tolerance;
+    return squared / ((squared + squared_distance) * deviation * deviation);
+  }
 };
 
 /// The distances of a scan's points from a reference around a pose, as Gauss and Newton see them:

@@ -18,17 +18,8 @@ constexpr double kTolerancePerReach = 0.33;  // a partner that far off counts ha
 constexpr double kSmallestTolerance = 2.0;   // in standard deviations of a range
 constexpr double kCalming = 0.7;             // of the steps, where one takes back the last
 constexpr std::size_t kFewPoints = 100;
-constexpr double kRoughStep = 1e-3;     // [m], [rad] few points can't tell more
-constexpr double kSmallestStep = 3e-4;  // [m], [rad] well below what a laser tells
-
-Points thinOut(const Points& points) {
-  const std::size_t stride = (points.size() + kFewPoints - 1) / kFewPoints;
-  Points few;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    few.push_back(points[i]);
-  }
-  return few;
-}
+constexpr double kRoughStep = 2e-3;     // [m], [rad] few points can't tell more
+constexpr double kSmallestStep = 1e-3;  // [m], [rad] well below what a laser tells
 
 /// The way from a guess to the pose of least cost.
 class Descent {
@@ -112,7 +103,7 @@ MatchResult PointToLineMatcher::match(const Reference& reference, const View& sc
   const Points points = allPoints(reference);
   SurfaceModel model(points);
   Descent descent(config_, common_, model, guess);
-  const Points few = thinOut(scan.points);
+  const Points few = someOf(scan.points, kFewPoints);
   descent.approach(few);
   (void)descent.settle(few, kRoughStep);
   const bool converged = descent.settle(scan.points, kSmallestStep);

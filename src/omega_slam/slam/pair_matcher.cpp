@@ -11,6 +11,9 @@ namespace {
 /// Scans taken farther apart see too little of the same.
 constexpr double kFarthest = 1.2;  // [m]
 
+/// Up to which points are drawn to lines at first: what was tracked is off by centimetres.
+constexpr double kReach = 0.2;  // [m]
+
 constexpr double kLeastConfidence = 0.6;
 
 /// Squared Mahalanobis distance beyond which a pair contradicts what was tracked. Such pairs are
@@ -20,6 +23,12 @@ constexpr double kApart = 9.0;
 /// Of a pair's covariance. Each scan takes part in several pairs, and its errors in all of them.
 constexpr double kShared = 4.0;
 
+matching::PointToLineMatcherConfig fromNearby() {
+  matching::PointToLineMatcherConfig config;
+  config.max_correspondence_distance = kReach;
+  return config;
+}
+
 bool isUsable(const matching::MatchResult& match) {
   // Along an open direction the covariance says that nothing is known.
   return match.confidence >= kLeastConfidence &&
@@ -28,7 +37,7 @@ bool isUsable(const matching::MatchResult& match) {
 
 }  // namespace
 
-PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_({}, config) {}
+PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_(fromNearby(), config) {}
 
 std::optional<graph::Constraint> PairMatcher::match(const Keyframe& from, const Keyframe& to,
                                                     const Belief& tracked) const {
