@@ -25,7 +25,7 @@ constexpr int kLeastOdds = -40;       // a wall that appears is believed after f
 constexpr int kMostOdds = 63;         // one that has gone, after sixteen
 
 constexpr double kSameWall = 0.2;    // [m] neighbouring returns closer than this are on one wall
-constexpr double kWaySpacing = 0.1;  // [m] of the ends of beams whose ways are traced
+constexpr double kWaySpacing = 0.2;  // [m] of the ends of beams whose ways are traced
 constexpr double kMargin = 10.0;     // [m] that the window is wider than what it has to hold
 constexpr double kFarthest = 1e6;    // [m] from the map's origin, where doubles are 0.1 nm apart
 constexpr double kMostCells = 8192;  // along an edge of the finest grid
@@ -38,34 +38,12 @@ Eigen::AlignedBox2d boxAround(const View& view) {
   return box;
 }
 
-/// @param size [bytes] above 0
-bool isZero(const void* memory, std::size_t size) {
-  const auto* const bytes = static_cast<const unsigned char*>(memory);
-  return bytes[0] == 0 && std::memcmp(bytes, bytes + 1, size - 1) == 0;  // each is as the next
-}
-
-/// The cells of one grid as those of another, as far as that has them inside of its border.
-/// @param from of the same resolution; its cells coincide with those of the other
-template <typename CellType>
-ZeroedCells<CellType> movedTo(const grid::GridGeometry& to, const grid::GridGeometry& from,
-                              const ZeroedCells<CellType>& cells, int border) {
-  ZeroedCells<CellType> moved(to.size());
-  const Eigen::Vector2d way = (from.origin - to.origin) / to.resolution;
-  const grid::Cell shift = way.array().round().cast<int>();
-  const grid::Cell low = shift.cwiseMax(border);
-  const grid::Cell high = (shift + grid::Cell(from.width, from.height))
-                              .cwiseMin(grid::Cell(to.width - border, to.height - border));
-  if (low.x() >= high.x()) {
-    return moved;
+Eigen::AlignedBox2d boxAround(const Reference& views) {
+  Eigen::AlignedBox2d box;
+  for (const View& view : views) {
+    box.extend(boxAround(view));
   }
-  for (int row = low.y(); row < high.y(); ++row) {
-    const CellType* const begin = &cells[from.index(grid::Cell(low.x(), row) - shift)];
-    const std::size_t bytes = static_cast<std::size_t>(high.x() - low.x()) * sizeof(CellType);
-    if (!isZero(begin, bytes)) {
-      std::memcpy(&moved[to.index({low.x(), row})], begin, bytes);
-    }
-  }
-  return moved;
+  return box;
 }
 
 }  // namespace
@@ -90,21 +68,11 @@ LocalMap::LocalMap(const LocalMapConfig& config) : config_(config) {
 }
 
 LocalMap::LocalMap(const LocalMapConfig& config, const Reference& views) : LocalMap(config) {
-  Reference known;
-  Box box;
-  for (const View& view : views) {
-    if (auto near = inReach(view)) {
-      box.extend(boxAround(*near));
-      known.push_back(std::move(*near));
-    }
+  Reference near = inReach(views);
+  if (!near.empty()) {
+    moveWindow(boxAround(near), near.back().origin);
   }
-  if (!known.empty()) {
-    moveWindow(box, known.back().origin);
-  }
-  for (View& view : known) {
-    draw(view);
-    remember(std::move(view));
-  }
+  std::for_each(near.begin(), near.end(), [this](View& view) { put(std::move(view)); });
 }
 
 bool LocalMap::insert(const View& view, const Pose2& T_map_view) {
@@ -112,18 +80,22 @@ bool LocalMap::insert(const View& view, const Pose2& T_map_view) {
   if (!near) {
     return false;
   }
-  Box box = boxAround(*near);
-  if (!drawable_.contains(box)) {
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
-    box = Box(box.min() - margin, box.max() + margin);
-    moveWindow(box.merged(drawable_), near->origin);
-  }
-  draw(*near);
-  remember(std::move(*near));
+  makeRoomFor(boxAround(*near), near->origin);
+  put(std::move(*near));
   return true;
 }
 
-void LocalMap::remember(View view) {
+void LocalMap::redraw(const Reference& views) {
+  wipe();
+  Reference near = inReach(views);
+  if (!near.empty()) {
+    makeRoomFor(boxAround(near), near.back().origin);
+  }
+  std::for_each(near.begin(), near.end(), [this](View& view) { put(std::move(view)); });
+}
+
+void LocalMap::put(View view) {
+  draw(view);
   if (recent_views_.size() == kRecentViews) {
     recent_views_.erase(recent_views_.begin());
   }
@@ -148,6 +120,24 @@ std::optional<View> LocalMap::inReach(const View& view_map) const {
   return near;
 }
 
+Reference LocalMap::inReach(const Reference& views_map) const {
+  Reference near;
+  for (const View& view : views_map) {
+    if (auto seen = inReach(view)) {
+      near.push_back(std::move(*seen));
+    }
+  }
+  return near;
+}
+
+/// @param box not empty
+void LocalMap::makeRoomFor(const Box& box, const Eigen::Vector2d& center) {
+  if (!drawable_.contains(box)) {
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
+    moveWindow(Box(box.min() - margin, box.max() + margin).merged(drawable_), center);
+  }
+}
+
 /// Lays the window anew, no farther than twice the reach from a place; what it then still covers is
 /// kept. Cells are aligned with the map's origin: the map is the same wherever the window lies.
 void LocalMap::moveWindow(const Box& wanted, const Eigen::Vector2d& center) {
@@ -156,23 +146,39 @@ void LocalMap::moveWindow(const Box& wanted, const Eigen::Vector2d& center) {
   const double coarsest = std::ldexp(config_.resolution, config_.levels - 1);
   const Eigen::Array2d first = (drawable_.min() / coarsest).array().floor();
   const Eigen::Array2d last = (drawable_.max() / coarsest).array().floor();
-  const grid::GridGeometry before = grids_.front().geometry;
+  const grid::Cell size = (last - first).cast<int>() + 3;  // a border of one stays empty
+  const Eigen::Vector2d origin = (first - 1.0) * coarsest;
+  const Eigen::Array2d way = (grids_.back().geometry.origin - origin) / coarsest;
+  const grid::Cell shift = way.round().cast<int>();
+  const CellBox inside(grid::Cell(1, 1), size.array() - 2);
+  const CellBox kept = drawn_.intersection(CellBox(inside.min() - shift, inside.max() - shift));
+  evidence_ = evidence_.moved(kept, size, shift, config_.levels - 1);
   for (std::size_t level = 0; level < grids_.size(); ++level) {
-    const int split =
-        1 << (grids_.size() - 1 - level);  // into so many, a border of one stays empty
-    grid::GridGeometry geometry;
-    geometry.resolution = coarsest / split;
-    geometry.origin = (first - 1.0) * coarsest;
-    geometry.width = (static_cast<int>(last.x() - first.x()) + 3) * split;
-    geometry.height = (static_cast<int>(last.y() - first.y()) + 3) * split;
+    const int split = splitAt(level);
+    const CellBox box = splitCells(kept, split);
+    const grid::GridGeometry to{coarsest / split, origin, size.x() * split, size.y() * split};
     ValueGrid& grid = grids_[level];
-    grid.values = movedTo(geometry, grid.geometry, grid.values, split);
-    grid.geometry = geometry;
-    if (level == 0) {
-      evidence_ = movedTo(geometry, before, evidence_, split);
-    }
+    grid.values = movedCells(box, grid.geometry, grid.values, to, split * shift);
+    grid.geometry = to;
   }
+  drawn_ = kept.isEmpty() ? CellBox() : CellBox(kept.min() + shift, kept.max() + shift);
 }
+
+/// Back to an empty map, but with its window.
+void LocalMap::wipe() {
+  recent_views_.clear();
+  evidence_.forEachStretch(drawn_, [](Evidence* cells, std::size_t count) {
+    std::memset(cells, 0, count * sizeof(Evidence));
+  });
+  for (std::size_t level = 0; level < grids_.size(); ++level) {
+    ValueGrid& grid = grids_[level];
+    zeroCells(splitCells(drawn_, splitAt(level)), grid.geometry, grid.values);
+  }
+  drawn_.setEmpty();
+}
+
+/// Cells of a level that are as wide as one of the coarsest.
+int LocalMap::splitAt(std::size_t level) const { return 1 << (grids_.size() - 1 - level); }
 
 bool LocalMap::isFreeAround(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d p_grid = inCells(p_map);
@@ -182,7 +188,7 @@ bool LocalMap::isFreeAround(const Eigen::Vector2d& p_map) const {
     return false;
   }
   const grid::Cell cell = p_grid.cast<int>();
-  if (evidence_[finest.index(cell)].odds >= kFreeOdds) {
+  if (evidence_(cell).odds >= kFreeOdds) {
     return false;
   }
   const ValueGrid& coarsest = grids_.back();
@@ -201,35 +207,58 @@ bool LocalMap::isFreeAround(const Eigen::Vector2d& p_map) const {
 
 void LocalMap::draw(const View& view) {
   numberView();
-  const Points& points = view.points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!drawable_.contains(points[i])) {
+  noteDrawn(boxAround(view).intersection(drawable_));
+  drawWalls(view.points);
+  if (drawable_.contains(view.origin)) {
+    drawBeams(view);
+  }
+}
+
+void LocalMap::drawWalls(const Points& points) {
+  const Eigen::Vector2d* before = nullptr;
+  Eigen::Vector2d start;  // [cells], of the point before
+  for (const Eigen::Vector2d& point : points) {
+    if (!drawable_.contains(point)) {
+      before = nullptr;
       continue;
     }
-    const bool wall_goes_on = i > 0 && drawable_.contains(points[i - 1]) &&
-                              (points[i] - points[i - 1]).squaredNorm() < kSameWall * kSameWall;
-    drawWall(inCells(wall_goes_on ? points[i - 1] : points[i]), inCells(points[i]));
+    const Eigen::Vector2d end = inCells(point);
+    const bool wall_goes_on =
+        before != nullptr && (point - *before).squaredNorm() < kSameWall * kSameWall;
+    drawWall(wall_goes_on ? start : end, end);
+    before = &point;
+    start = end;
   }
-  if (!drawable_.contains(view.origin)) {
-    return;
-  }
+}
+
+void LocalMap::drawBeams(const View& view) {
+  const Eigen::Vector2d laser = inCells(view.origin);
   const Eigen::Vector2d* traced = nullptr;
-  for (const Eigen::Vector2d& point : points) {
+  for (const Eigen::Vector2d& point : view.points) {
     const bool is_close =
         traced != nullptr && (point - *traced).squaredNorm() < kWaySpacing * kWaySpacing;
     if (!is_close && drawable_.contains(point)) {
-      drawBeam(inCells(view.origin), inCells(point));
+      drawBeam(laser, inCells(point));
       traced = &point;
     }
   }
 }
 
+/// Whatever of a place is drawn, and a beam may pass beside it by a cell.
+void LocalMap::noteDrawn(const Box& box) {
+  if (!box.isEmpty()) {
+    const ValueGrid& coarsest = grids_.back();
+    drawn_.extend(CellBox(coarsest.geometry.cellAt(box.min()).array() - 1,
+                          coarsest.geometry.cellAt(box.max()).array() + 1));
+  }
+}
+
 /// A cell that bears the number of the newest view has been changed by it.
 void LocalMap::numberView() {
-  if (number_ == std::numeric_limits<std::uint16_t>::max()) {
-    for (Evidence& evidence : evidence_) {
-      evidence.claim = 0;
-    }
+  if (number_ == std::numeric_limits<decltype(number_)>::max()) {
+    evidence_.forEachStretch(drawn_, [](Evidence* cells, std::size_t count) {
+      std::for_each(cells, cells + count, [](Evidence& evidence) { evidence.claim = 0; });
+    });
     number_ = 0;
   }
   ++number_;
@@ -242,15 +271,17 @@ Eigen::Vector2d LocalMap::inCells(const Eigen::Vector2d& p_map) const {
 
 /// @param start, end [cells]; the same for a return that stands alone
 void LocalMap::drawWall(const Eigen::Vector2d& start, const Eigen::Vector2d& end) {
-  const int steps = static_cast<int>(std::ceil((end - start).cwiseAbs().maxCoeff()));
+  const Eigen::Vector2d way = end - start;
+  const int steps = static_cast<int>(std::ceil(std::max(std::abs(way.x()), std::abs(way.y()))));
+  const Eigen::Vector2d step = way / std::max(steps, 1);
   for (int i = 0; i <= steps; ++i) {
-    const double share = steps > 0 ? static_cast<double>(i) / steps : 1.0;
-    const grid::Cell cell = (start + share * (end - start)).cast<int>();
-    Evidence& evidence = evidence_[grids_.front().geometry.index(cell)];
+    const grid::Cell cell(static_cast<int>(start.x() + i * step.x()),
+                          static_cast<int>(start.y() + i * step.y()));
+    Evidence& evidence = evidence_(cell);
     if (evidence.claim != number_) {
       evidence.claim = number_;
-      evidence.odds = static_cast<std::int16_t>(std::min(evidence.odds + kHit, kMostOdds));
-      refresh(cell);
+      evidence.odds = static_cast<std::int8_t>(std::min(evidence.odds + kHit, kMostOdds));
+      refresh(cell, evidence.odds);
     }
   }
 }
@@ -273,37 +304,32 @@ void LocalMap::drawBeam(const Eigen::Vector2d& laser, const Eigen::Vector2d& end
   auto place =
       static_cast<std::int64_t>((laser[minor] + slope * (first + 0.5 - laser[major])) * kOne);
   const auto rise = static_cast<std::int64_t>(slope * step * kOne);
-  const std::int64_t width = grids_.front().geometry.width;
-  const std::int64_t along_stride = major == 0 ? 1 : width;
-  const std::int64_t across_stride = major == 0 ? width : 1;
-  Evidence* const cells = evidence_.begin();
-  const std::uint16_t number = number_;
+  const auto cells = evidence_.along(major);
+  const std::uint8_t number = number_;
   for (int along = first; along != last; along += step, place += rise) {
     const std::int64_t across = place >> 32;
-    Evidence& evidence = cells[along * along_stride + across * across_stride];
+    Evidence& evidence = cells.at(along, across);
     const int before = evidence.odds;
-    // What can't become less likely, as most cells, needs no claim either: it is no wall's.
-    if (before == kLeastOdds || evidence.claim == number) {
-      continue;
-    }
+    // Without a branch, which nobody could foretell, until a wall is met.
+    const bool is_first = evidence.claim != number;
     evidence.claim = number;
-    evidence.odds = static_cast<std::int16_t>(std::max(before + kMiss, kLeastOdds));
-    if (before > 0) {
-      grid::Cell cell;
-      cell[major] = along;
-      cell[minor] = static_cast<int>(across);
-      refresh(cell);
+    evidence.odds = static_cast<std::int8_t>(std::max(before + (is_first ? kMiss : 0), kLeastOdds));
+    if (before > 0 && is_first) {
+      const auto other = static_cast<int>(across);
+      refresh(major == 0 ? grid::Cell(along, other) : grid::Cell(other, along), evidence.odds);
     }
   }
 }
 
 /// Carries what is now known of a cell to the values of all grids.
-void LocalMap::refresh(grid::Cell cell) {
-  const int odds = evidence_[grids_.front().geometry.index(cell)].odds;
+void LocalMap::refresh(const grid::Cell& cell, int odds) {
   std::uint8_t value = values_by_odds_[static_cast<std::size_t>(std::max(odds, 0))];
   for (std::size_t level = 0;; ++level) {
     ValueGrid& grid = grids_[level];
-    std::uint8_t& there = grid.values[grid.geometry.index(cell)];
+    const auto width = static_cast<std::size_t>(grid.geometry.width);
+    const std::size_t column = static_cast<std::size_t>(cell.x()) >> level;
+    const std::size_t row = static_cast<std::size_t>(cell.y()) >> level;
+    std::uint8_t& there = grid.values[row * width + column];
     if (there == value) {
       return;
     }
@@ -311,10 +337,11 @@ void LocalMap::refresh(grid::Cell cell) {
     if (level + 1 == grids_.size()) {
       return;
     }
-    cell /= 2;
-    const std::uint8_t* const low = &grid.values[grid.geometry.index(2 * cell)];
-    const std::uint8_t* const high = low + grid.geometry.width;
-    value = std::max({low[0], low[1], high[0], high[1]});
+    // Of the four that the next level has for one.
+    const std::uint8_t* const low =
+        &grid.values[(row & ~std::size_t{1}) * width + (column & ~std::size_t{1})];
+    const std::uint8_t* const high = low + width;
+    value = std::max(std::max(low[0], low[1]), std::max(high[0], high[1]));
   }
 }
 

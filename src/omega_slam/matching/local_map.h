@@ -11,8 +11,9 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/grid/grid_geometry.h"
+#include "omega_slam/matching/blocked_cells.h"
 #include "omega_slam/matching/scan_matcher.h"
-#include "omega_slam/matching/zeroed_cells.h"
+#include "omega_slam/matching/window_cells.h"
 
 namespace omega_slam::matching {
 
@@ -68,6 +69,11 @@ class LocalMap {
   /// 1000 km from the map's origin
   bool insert(const View& view, const geometry::Pose2& T_map_view);
 
+  /// Forgets everything and draws some views: as a map of these alone, but with room to grow, and
+  /// in the memory that it has.
+  /// @param views in the map's frame
+  void redraw(const Reference& views);
+
   void clear();  ///< forgets everything
 
   [[nodiscard]] const LocalMapConfig& config() const { return config_; }
@@ -85,28 +91,36 @@ class LocalMap {
 
  private:
   struct Evidence {
-    std::int16_t odds;    ///< log odds of being occupied
-    std::uint16_t claim;  ///< number of the view that changed the cell last
+    std::int8_t odds;    ///< log odds of being occupied
+    std::uint8_t claim;  ///< number of the view that changed the cell last
   };
   using Box = Eigen::AlignedBox2d;
 
   [[nodiscard]] std::optional<View> inReach(const View& view_map) const;
+  [[nodiscard]] Reference inReach(const Reference& views_map) const;
+  void makeRoomFor(const Box& box, const Eigen::Vector2d& center);
   void moveWindow(const Box& wanted, const Eigen::Vector2d& center);
-  void remember(View view);
+  void wipe();
+  [[nodiscard]] int splitAt(std::size_t level) const;
+  void put(View view);
   void draw(const View& view);
+  void noteDrawn(const Box& box);
   void numberView();
   [[nodiscard]] Eigen::Vector2d inCells(const Eigen::Vector2d& p_map) const;
+  void drawWalls(const Points& points);
+  void drawBeams(const View& view);
   void drawWall(const Eigen::Vector2d& start, const Eigen::Vector2d& end);
   void drawBeam(const Eigen::Vector2d& laser, const Eigen::Vector2d& end);
-  void refresh(grid::Cell cell);
+  void refresh(const grid::Cell& cell, int odds);
 
   LocalMapConfig config_;
   std::array<std::uint8_t, 64> values_by_odds_{};
   Reference recent_views_;
   std::vector<ValueGrid> grids_;
-  ZeroedCells<Evidence> evidence_;  ///< of the finest grid
-  Box drawable_;                    ///< [m] the window: what lies outside is not drawn
-  std::uint16_t number_{0};         ///< of the newest view
+  BlockedCells<Evidence> evidence_;  ///< of the finest grid; a block is a cell of the coarsest
+  Box drawable_;                     ///< [m] the window: what lies outside is not drawn
+  CellBox drawn_;                    ///< of the coarsest grid: elsewhere, all grids are zero
+  std::uint8_t number_{0};           ///< of the newest view
 };
 
 }  // namespace omega_slam::matching

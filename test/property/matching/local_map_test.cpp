@@ -93,6 +93,28 @@ TEST(LocalMapLaws, MovingTheWindowChangesNothing) {
   }
 }
 
+TEST(LocalMapLaws, RedrawnItIsAsNew) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    LocalMap map(smallMap());
+    for (const double away : {0.0, 0.7, 25.0}) {  // within the window and beyond it
+      Reference views = viewsOfTheRoom(4, random);
+      for (View& view : views) {
+        view = transformed({away, -away, 0.1}, view);
+      }
+      map.redraw(views);
+      const LocalMap fresh(smallMap(), views);
+      expectSameMap(map, fresh);
+      expectSameMap(fresh, map);
+      EXPECT_EQ(map.recentViews().size(), fresh.recentViews().size());
+      ASSERT_TRUE(map.insert(viewsOfTheRoom(1, random).front(), {away + 2.0, -away, 0.0}));
+    }
+    map.redraw({});
+    EXPECT_TRUE(map.recentViews().empty());
+  }
+}
+
 TEST(LocalMapLaws, CoarseCellIsTheMostLikelyOfTheFourItCovers) {
   std::mt19937_64 random(1);
   const LocalMap map(smallMap(), viewsOfTheRoom(5, random));
