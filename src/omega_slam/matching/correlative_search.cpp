@@ -32,6 +32,12 @@ std::vector<grid::Cell> cellsOf(const Points& places, const Eigen::Vector2d& cen
     const Eigen::Vector2d offset = (place - center) / side;
     cells.emplace_back(nearestCell(offset.x()), nearestCell(offset.y()));
   }
+  // A third fall into one that is there already.
+  const auto byRow = [](const grid::Cell& a, const grid::Cell& b) {
+    return std::make_pair(a.y(), a.x()) < std::make_pair(b.y(), b.x());
+  };
+  std::sort(cells.begin(), cells.end(), byRow);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }
 
