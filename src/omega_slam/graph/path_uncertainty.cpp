@@ -19,14 +19,15 @@ constexpr double kArm = 2.0;                // [m] at which a turn counts
 constexpr double kLeastDeterminant = 1e-9;  // of an information that can be inverted
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What a constraint costs a path.
+/// What a constraint costs a path: of its covariance, the inverse, no more than the diagonal.
 double costOf(const Constraint& constraint) {
-  const Eigen::Matrix3d& information = constraint.information;
-  Eigen::Matrix3d covariance;
-  bool is_invertible = false;
-  information.computeInverseWithCheck(covariance, is_invertible, kLeastDeterminant);
-  return is_invertible ? covariance(0, 0) + covariance(1, 1) + kArm * kArm * covariance(2, 2)
-                       : kInfinity;
+  const Eigen::Matrix3d& i = constraint.information;
+  const double xx = i(1, 1) * i(2, 2) - i(1, 2) * i(1, 2);
+  const double yy = i(0, 0) * i(2, 2) - i(0, 2) * i(0, 2);
+  const double tt = i(0, 0) * i(1, 1) - i(0, 1) * i(0, 1);
+  const double determinant = i.determinant();
+  return std::abs(determinant) > kLeastDeterminant ? (xx + yy + kArm * kArm * tt) / determinant
+                                                   : kInfinity;
 }
 
 /// The covariance of a constraint as that of the step from one of its nodes to the other, in the

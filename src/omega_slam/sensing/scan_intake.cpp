@@ -81,6 +81,14 @@ double timeIncrementOf(const LaserScan& scan, std::vector<std::string>& repairs)
   return scan.time_increment;
 }
 
+Eigen::Vector2d directionAt(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// @param turn, direction of unit length
+Eigen::Vector2d turnedBy(const Eigen::Vector2d& turn, const Eigen::Vector2d& direction) {
+  return {turn.x() * direction.x() - turn.y() * direction.y(),
+          turn.y() * direction.x() + turn.x() * direction.y()};
+}
+
 struct Reading {
   BeamKind kind{BeamKind::kUnknown};
   double range{0.0};  // [m]
@@ -131,20 +139,22 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
   Sweep sweep{scan.stamp, mount.T_base_laser, std::abs(scan.angle_increment), {}};
   sweep.beams.reserve(scan.ranges.size());
   bool says_anything = false;
+  // Turned from beam to beam: a sine of each takes as long as all else here, and after a thousand
+  // beams the difference is 1e-13.
+  Eigen::Vector2d direction = directionAt(turn * scan.angle_min);
+  const Eigen::Vector2d step = directionAt(turn * scan.angle_increment);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const auto index = static_cast<double>(i);
     const Reading reading = readBeam(scan.ranges[i], limits, config_.nan_is_no_return);
     Beam beam;
     beam.kind = reading.kind;
     if (beam.kind != BeamKind::kUnknown) {
-      const double angle = turn * (scan.angle_min + index * scan.angle_increment);
-      const Eigen::Vector2d p_laser(reading.range * std::cos(angle),
-                                    reading.range * std::sin(angle));
-      const Eigen::Vector2d p_base = T_base_laser * p_laser;
+      const Eigen::Vector2d p_base = T_base_laser * (reading.range * direction);
       beam.end = moves ? interpolate(Pose2{}, motion_during_sweep, index / last) * p_base : p_base;
       says_anything = true;
     }
     sweep.beams.push_back(beam);
+    direction = turnedBy(step, direction);
   }
   if (!says_anything) {
     result.rejection = "no beam says anything";
