@@ -165,8 +165,7 @@ void Surroundings::redraw(NodeId newest, const std::vector<NodeId>& wanted) {
       views.push_back(transformed(keyframe->second * glance.T_keyframe_base, glance.view));
     }
   }
-  map_.clear();  // first: there is room for one
-  map_ = matching::LocalMap(map_.config(), views);
+  map_.redraw(views);
 }
 
 }  // namespace omega_slam::slam
