@@ -82,7 +82,6 @@ void read(ParameterReader reader, matching::IcpMatcherConfig& config) {
 void read(ParameterReader reader, matching::PointToLineMatcherConfig& config) {
   reader.read("max_iterations", config.max_iterations, kCount);
   reader.read("max_correspondence_distance", config.max_correspondence_distance, kPositiveLength);
-  reader.read("guess_deviation", config.guess_deviation, kPositiveLength);
 }
 
 void read(ParameterReader reader, matching::MapMatcherConfig& config) {

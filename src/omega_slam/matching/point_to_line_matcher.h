@@ -10,7 +10,6 @@ namespace omega_slam::matching {
 struct PointToLineMatcherConfig {
   int max_iterations{50};                   ///< steps at most; 0 only judges the guess
   double max_correspondence_distance{0.5};  ///< [m] first step: how far off the guess may be
-  double guess_deviation{0.1};  ///< [m], [rad] how much the guess says of open directions
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
