@@ -14,6 +14,7 @@ import rosbag
 
 import replay_support
 
+PATIENCE = 60.0  # [s] until a node is up; long, since the machine may be busy
 SETTLED = 5.0  # [s] after which nodes are watched: what they do to begin with does not count
 TICK = os.sysconf('SC_CLK_TCK')
 
@@ -29,10 +30,16 @@ def cpuSeconds(process):
 
 
 def processOf(ros, node):
-    said = subprocess.run(['rosnode', 'info', node], env=ros.environment, capture_output=True,
-                          text=True, check=True).stdout
-    line, = [line for line in said.splitlines() if line.startswith('Pid')]
-    return int(line.split()[1])
+    """@return the number of its process, once it is up"""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        said = subprocess.run(['rosnode', 'info', node], env=ros.environment, capture_output=True,
+                              text=True, check=False).stdout
+        lines = [line for line in said.splitlines() if line.startswith('Pid')]
+        if lines:
+            return int(lines[0].split()[1])
+        time.sleep(0.5)
+    raise SystemExit(f'{node} has not come up in {PATIENCE:.0f} s.')
 
 
 def watch(ros, recorder, patience):
