@@ -24,8 +24,7 @@ class OdometryScale {
 
  private:
   double scale_{1.0};
-  double information_{
-      2.0};  ///< of the scale's logarithm: at first it is one within a factor of two
+  double information_{2.0};  ///< of its logarithm; at first: one, within a factor of two
 };
 
 }  // namespace omega_slam::slam
