@@ -31,6 +31,7 @@ struct Arguments {
   double patience{3600.0};
   bool random_starts{false};
   bool bound{false};
+  std::string localisation{"slam"};
   std::string out;
 };
 
@@ -69,6 +70,9 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--seeds", arguments.seeds, "runs of each strategy")->capture_default_str();
   app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
   app.add_option("--patience", arguments.patience, "[s] simulated, of a run")
+      ->capture_default_str();
+  app.add_option("--localisation", arguments.localisation, "how the robot knows where it is")
+      ->check(CLI::IsMember({"slam", "truth"}))
       ->capture_default_str();
   app.add_flag("--random-starts", arguments.random_starts, "begin elsewhere with each seed but 1");
   app.add_flag("--bound", arguments.bound, "write the least length of a way that sees all, too");
@@ -180,6 +184,8 @@ void run(const Arguments& arguments) {
                      arguments.patience};
       setup.explorer.strategy = share.strategy;
       setup.explorer.seed = seed;
+      setup.localisation =
+          arguments.localisation == "truth" ? LocalisationKind::kTruth : LocalisationKind::kSlam;
       const bool elsewhere = arguments.random_starts && seed != 1;
       if (elsewhere) {
         setup.T_world_start = randomStart(place, footprint.circumscribed_radius, setup.seed);

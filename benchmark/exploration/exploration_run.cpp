@@ -30,7 +30,7 @@ class Run {
       : setup_(setup),
         robot_config_(robotConfig(setup)),
         robot_(setup.world, setup.T_world_start, robot_config_),
-        pipeline_(config::pipelineConfig(config_)),
+        localisation_(makeLocalisation(setup.localisation, config_)),
         intake_(config_.scan_matcher.intake),
         map_(config_.map_builder.mapper),
         explorer_(setup.explorer),
@@ -132,32 +132,24 @@ class Run {
     const Pose2 during =
         relativePose(T_odom_base, odometry_.at(std::min(last_beam, robot_.time())).value());
     const sensing::LaserMount mount{robot_config_.T_base_laser, false};
-    (void)pipeline_.process(scan, mount, T_odom_base, during);
-    if (pipeline_.graph().poses.size() > graph_poses_.size()) {  // it is solved with each keyframe
-      navigator_.moveMap({graph_poses_, pipeline_.graph().poses});
-      graph_poses_ = pipeline_.graph().poses;
+    const Pose2 T_world_base = truth_.at(scan.stamp).value();
+    localisation_->take({&scan, mount, T_odom_base, during, T_world_base});
+    if (localisation_->poses().size() > graph_poses_.size()) {  // solved with each keyframe
+      navigator_.moveMap({graph_poses_, localisation_->poses()});
+      graph_poses_ = localisation_->poses();
     }
-    if (pipeline_.keyframes().size() == 1 && !T_world_map_) {
-      T_world_map_ = truth_.at(scan.stamp).value();
+    if (localisation_->keyframes().size() == 1 && !T_world_map_) {
+      T_world_map_ = T_world_base;
     }
     const auto taken = intake_.process(scan, mount, during);
-    if (taken.sweep && mapFromOdom()) {
+    if (const auto T_map_odom = localisation_->mapFromOdom(); taken.sweep && T_map_odom) {
       const ThreadTimer timer(outcome_.navigator_cpu);
-      navigator_.see(navigation::sightingFrom(*taken.sweep), *mapFromOdom() * T_odom_base);
+      navigator_.see(navigation::sightingFrom(*taken.sweep), *T_map_odom * T_odom_base);
     }
-  }
-
-  /// As graph_slam publishes it.
-  [[nodiscard]] std::optional<Pose2> mapFromOdom() const {
-    if (pipeline_.keyframes().empty()) {
-      return std::nullopt;
-    }
-    const slam::Keyframe& newest = *pipeline_.keyframes().back();
-    return pipeline_.graph().poses[newest.id] * newest.T_odom_base.inverse();
   }
 
   [[nodiscard]] std::optional<Pose2> pose() const {
-    const auto T_map_odom = mapFromOdom();
+    const auto T_map_odom = localisation_->mapFromOdom();
     if (!T_map_odom) {
       return std::nullopt;
     }
@@ -165,7 +157,7 @@ class Run {
   }
 
   void drawMap() {
-    const MapInStep::Change change = map_.update(pipeline_);
+    const MapInStep::Change change = map_.update(*localisation_);
     if (!change.is_new) {
       return;
     }
@@ -260,7 +252,7 @@ class Run {
   const config::SlamConfig config_;
   const simulation::TurtleBotConfig robot_config_;
   simulation::TurtleBot robot_;
-  slam::Pipeline pipeline_;
+  const std::unique_ptr<Localisation> localisation_;
   sensing::ScanIntake intake_;
   MapInStep map_;
   exploration::Explorer explorer_;

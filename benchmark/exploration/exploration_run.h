@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exploration/coverage.h"
+#include "exploration/localisation.h"
 #include "omega_slam/exploration/explorer.h"
 #include "omega_slam/navigation/footprint.h"
 #include "omega_slam/simulation/world.h"
@@ -20,6 +21,7 @@ struct RunSetup {
   exploration::ExplorerConfig explorer;
   std::uint64_t seed{1};
   double patience{3600.0};  ///< [s] of simulated time, after which the run is cut off
+  LocalisationKind localisation{LocalisationKind::kSlam};
 };
 
 /// How far a run had come at a time.
@@ -70,7 +72,7 @@ struct RunOutcome {
   grid::OccupancyGrid map;
 };
 
-/// One exploration in one process: simulator, slam::Pipeline, map, Explorer and Navigator with the
+/// One exploration in one process: simulator, localisation, map, Explorer and Navigator with the
 /// defaults of their configurations, at fixed time steps. Same setup, same outcome.
 [[nodiscard]] RunOutcome explore(const RunSetup& setup);
 

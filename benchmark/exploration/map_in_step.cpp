@@ -6,11 +6,11 @@
 
 namespace omega_slam::experiments {
 
-MapInStep::Change MapInStep::update(const slam::Pipeline& pipeline) {
+MapInStep::Change MapInStep::update(const Localisation& localisation) {
   std::vector<mapping::PlacedSweep> placed;
   std::vector<geometry::Pose2> poses;
-  for (const slam::KeyframePtr& keyframe : pipeline.keyframes()) {
-    poses.push_back(pipeline.graph().poses[keyframe->id]);
+  for (const slam::KeyframePtr& keyframe : localisation.keyframes()) {
+    poses.push_back(localisation.poses()[keyframe->id]);
     placed.push_back({keyframe->id, slam::sweepOf(keyframe), poses.back()});
   }
   const mapping::UpdateReport report = mapping::update(mapper_, placed);

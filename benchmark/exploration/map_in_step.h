@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "exploration/localisation.h"
 #include "omega_slam/exploration/explorer.h"
 #include "omega_slam/mapping/occupancy_mapper.h"
-#include "omega_slam/slam/pipeline.h"
 
 namespace omega_slam::experiments {
 
@@ -21,7 +21,7 @@ class MapInStep {
 
   explicit MapInStep(const mapping::OccupancyMapperConfig& config) : mapper_(config) {}
 
-  Change update(const slam::Pipeline& pipeline);
+  Change update(const Localisation& localisation);
   [[nodiscard]] grid::OccupancyGrid render() { return mapper_.render(); }
 
  private:

@@ -30,9 +30,9 @@ def drawRooms(folder):
     return description
 
 
-def explore(program, world, out):
+def explore(program, world, out, *options):
     subprocess.run([program, world, '--urdf', SOURCE / 'urdf/turtlebot2.urdf', '--seeds', '2',
-                    '--strategies', 'tour=1', '--bound', '--out', out], check=True)
+                    '--strategies', 'tour=1', '--bound', '--out', out, *options], check=True)
     (row,) = readTable(out / 'runs_rooms.csv')
     return row
 
@@ -58,6 +58,9 @@ def main():
             assert isRefused(program, world, strategies, out / 'refused'), strategies
         again = explore(program, world, out / 'again')
         assert [again[key] for key in ('time', 'distance')] == [run['time'], run['distance']]
+        true_run = explore(program, world, out / 'truth', '--localisation', 'truth')
+        assert true_run['ending'] == 'done' and true_run['coverage'] >= 0.99, true_run
+        assert true_run['from_home'] <= 0.5 and true_run['time'] != run['time'], true_run
         page = SOURCE / 'docs/experiments/exploration.md'
         subprocess.run([sys.executable, SOURCE / 'benchmark/plots/report_exploration.py', '--page',
                         page, '--out', out], check=True)
