@@ -182,7 +182,8 @@ Order Explorer::comeHome(double now, const Pose2& T_map_base) {
 
 bool Explorer::isAnythingLeft(double now, const Pose2& T_map_base) {
   map_is_new_ = false;
-  return !optionsNow(surveyFrom(T_map_base), now).empty();
+  const Survey survey = surveyFrom(T_map_base);
+  return choose(survey, optionsNow(survey, now)).has_value();
 }
 
 Order Explorer::end(const std::string& addition) {
