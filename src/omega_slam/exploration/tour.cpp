@@ -16,6 +16,7 @@ constexpr double kConstancy = 1.0;      // [m] that the way to where the robot g
 constexpr double kEagerness = 0.3;      // of a metre, for each stop that is reached by it or after
 constexpr double kNook = 1.0;           // [m^2] what is smaller may be left out,
 constexpr double kWorth = 4.0;          // [m/m^2] if the way to it is longer than it is worth
+constexpr double kAtHome = 1.0;         // [m] around where it began, what is unknown is no nook
 constexpr double kUnreachable = 1.0e6;  // [m] longer than any way, but a number to reckon with
 constexpr double kMust = 1.0e9;         // [m] more than any tour: what leaving out all else costs
 
@@ -31,6 +32,13 @@ struct Stop {
   std::size_t option{0};  ///< the nearest of them
   double behind{0.0};     ///< [m^2] all of them
 };
+
+/// [m^2] Where the robot began it did not see its own place, and it must, to come home.
+double behindOf(const Option& option, const Situation& situation) {
+  const Eigen::Vector2d place = option.viewpoint.T_map_base.translation();
+  const bool is_home = (place - situation.origin).norm() < kAtHome;
+  return is_home ? std::numeric_limits<double>::infinity() : option.behind;
+}
 
 /// The options as stops, the nearest first; but first of all the one that the robot is on its way
 /// to.
@@ -49,10 +57,11 @@ std::vector<Stop> stopsOf(const Situation& situation) {
     const auto together = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) {
       return isTogether(options[i].viewpoint, options[stop.option].viewpoint);
     });
+    const double behind = behindOf(options[i], situation);
     if (together == stops.end()) {
-      stops.push_back({i, options[i].behind});
+      stops.push_back({i, behind});
     } else {
-      together->behind += options[i].behind;
+      together->behind += behind;
     }
   }
   return stops;

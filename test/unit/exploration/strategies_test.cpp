@@ -159,6 +159,15 @@ TEST(Tour, LeavesANookOutThatIsNotWorthItsWay) {
   EXPECT_TRUE(isWorthIt(9.0, -50.0, 5.0));  // no nook
 }
 
+TEST(Tour, LeavesNoNookOutWhereTheRobotIsToBeInTheEnd) {
+  Situation now = lineOf({-5.0}, -4.5);
+  now.options[0].behind = 0.01;
+  now.origin = {-40.0, 0.0};
+  EXPECT_FALSE(makeStrategy("tour")->choose(now));
+  now.origin = {-4.5, 0.0};
+  EXPECT_TRUE(makeStrategy("tour")->choose(now));
+}
+
 TEST(Tour, SeesWhatIsLargeAlthoughNoWayHomeIsKnown) {
   Situation now = lineOf({5.0}, 0.0);
   now.travelHome = [] { return std::vector{std::numeric_limits<double>::infinity()}; };
