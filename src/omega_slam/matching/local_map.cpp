@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -63,6 +61,11 @@ LocalMap::LocalMap(const LocalMapConfig& config) : config_(config) {
     // p - (1 - p), where p has these odds
     const double value = std::tanh(0.5 * kOddsUnit * static_cast<double>(odds));
     values_by_odds_[odds] = static_cast<std::uint8_t>(std::lround(ValueGrid::kMost * value));
+  }
+  for (int odds = kLeastOdds; odds <= kMostOdds; ++odds) {
+    const std::size_t byte = static_cast<std::uint8_t>(odds);
+    odds_after_[byte] = static_cast<std::int8_t>(odds);
+    odds_after_[256 + byte] = static_cast<std::int8_t>(std::max(odds + kMiss, kLeastOdds));
   }
   grids_.resize(static_cast<std::size_t>(config_.levels));
 }
@@ -310,13 +313,12 @@ void LocalMap::drawBeam(const Eigen::Vector2d& laser, const Eigen::Vector2d& end
     const std::int64_t across = place >> 32;
     Evidence& evidence = cells.at(along, across);
     const int before = evidence.odds;
-    // Without a branch, which nobody could foretell, until a wall is met.
     const bool is_first = evidence.claim != number;
-    evidence.claim = number;
-    evidence.odds = static_cast<std::int8_t>(std::max(before + (is_first ? kMiss : 0), kLeastOdds));
+    // Looked up: nobody could foretell a branch, until a wall is met.
+    evidence = {odds_after_[(is_first ? 256U : 0U) + static_cast<std::uint8_t>(before)], number};
     if (before > 0 && is_first) {
-      const auto other = static_cast<int>(across);
-      refresh(major == 0 ? grid::Cell(along, other) : grid::Cell(other, along), evidence.odds);
+      const grid::Cell cell(along, static_cast<int>(across));
+      refresh(major == 0 ? cell : cell.reverse(), evidence.odds);
     }
   }
 }

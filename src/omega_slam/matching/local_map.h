@@ -115,6 +115,9 @@ class LocalMap {
 
   LocalMapConfig config_;
   std::array<std::uint8_t, 64> values_by_odds_{};
+  /// Of a cell that a beam passes, by its odds as a byte: where the view has been in the cell
+  /// before, and, from 256 on, where it has not.
+  std::array<std::int8_t, 512> odds_after_{};
   Reference recent_views_;
   std::vector<ValueGrid> grids_;
   BlockedCells<Evidence> evidence_;  ///< of the finest grid; a block is a cell of the coarsest
