@@ -41,13 +41,13 @@ void PointToLineEquations::add(const Surface& surface, const Eigen::Vector2d& ga
   }
 }
 
-PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
+PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,
                                const Pose2& T_reference_scan, const DistanceKernel& kernel) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   const Eigen::Vector2d translation = T_reference_scan.translation();
   PointToLineEquations equations;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const Eigen::Vector2d arm = rotation * scan[i];
+  for (std::size_t i = 0; i < scan.all.size(); i += scan.stride) {
+    const Eigen::Vector2d arm = rotation * scan.all[i];
     const Eigen::Vector2d p_reference = arm + translation;
     if (const auto* partner = reference.partnerOf(i, p_reference, kernel.reach)) {
       equations.add(partner->surface, p_reference - partner->point, arm, kernel);

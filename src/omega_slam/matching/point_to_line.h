@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/matching/scan_matcher.h"
@@ -38,10 +39,28 @@ struct PointToLineEquations {
            const DistanceKernel& kernel);
 };
 
-/// The equations of all points that have a partner within reach. O(points).
-[[nodiscard]] PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
+/// Every `stride`-th of a scan's points, by the numbers that they have among all: what a
+/// SurfaceModel has found for them still helps when all are asked for.
+struct SomePoints {
+  const Points& all;
+  std::size_t stride{1};
+};
+
+/// Enough where a few hundred more of the same walls say the same.
+/// @param most > 0
+[[nodiscard]] inline SomePoints someOf(const Points& points, std::size_t most) {
+  return {points, (points.size() + most - 1) / most};
+}
+
+/// The equations of those points that have a partner within reach. O(points).
+[[nodiscard]] PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,
                                              const geometry::Pose2& T_reference_scan,
                                              const DistanceKernel& kernel);
+[[nodiscard]] inline PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
+                                                    const geometry::Pose2& T_reference_scan,
+                                                    const DistanceKernel& kernel) {
+  return linearize(reference, SomePoints{scan}, T_reference_scan, kernel);
+}
 
 /// The step (x, y, theta) to the least squares, along the directions that the points determine.
 ///

@@ -29,7 +29,7 @@ class Descent {
       : config_(config), common_(common), reference_(reference), guess_(guess), pose_(guess) {}
 
   /// Steps while the reach shrinks to the outlier distance.
-  void approach(const Points& scan) {
+  void approach(const SomePoints& scan) {
     for (double reach = config_.max_correspondence_distance; reach > common_.outlier_distance;
          reach *= kShrinkage) {
       if (steps_ == config_.max_iterations) {
@@ -40,7 +40,7 @@ class Descent {
   }
 
   /// Steps until they are small. @return whether that was before the iterations ran out
-  bool settle(const Points& scan, double smallest_step) {
+  bool settle(const SomePoints& scan, double smallest_step) {
     while (steps_ < config_.max_iterations) {
       if (step(scan, common_.outlier_distance) < smallest_step) {
         return true;
@@ -53,7 +53,7 @@ class Descent {
 
  private:
   /// @return its size: [m] or [rad], whichever is larger
-  double step(const Points& scan, double reach) {
+  double step(const SomePoints& scan, double reach) {
     const double tolerance =
         std::max(kTolerancePerReach * reach, kSmallestTolerance * common_.range_noise);
     const auto equations =
@@ -103,10 +103,10 @@ MatchResult PointToLineMatcher::match(const Reference& reference, const View& sc
   const Points points = allPoints(reference);
   SurfaceModel model(points);
   Descent descent(config_, common_, model, guess);
-  const Points few = someOf(scan.points, kFewPoints);
+  const SomePoints few = someOf(scan.points, kFewPoints);
   descent.approach(few);
   (void)descent.settle(few, kRoughStep);
-  const bool converged = descent.settle(scan.points, kSmallestStep);
+  const bool converged = descent.settle({scan.points}, kSmallestStep);
   MatchResult result = judgeMatch(model, scan.points, descent.pose(), common_);
   result.converged = converged;
   if (!converged && result.failure == MatchFailure::kNone) {

@@ -26,16 +26,6 @@ Points allPoints(const Reference& reference) {
   return points;
 }
 
-Points someOf(const Points& points, std::size_t most) {
-  const std::size_t stride = (points.size() + most - 1) / most;
-  Points some;
-  some.reserve(std::min(points.size(), most));
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    some.push_back(points[i]);
-  }
-  return some;
-}
-
 View transformed(const Pose2& T_a_b, const View& view_b) {
   const Eigen::Matrix2d R_a_b = T_a_b.rotation();
   const Eigen::Vector2d t_a_b = T_a_b.translation();

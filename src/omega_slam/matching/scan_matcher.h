@@ -24,10 +24,6 @@ using Reference = std::vector<View>;
 /// All points of a reference, view by view.
 [[nodiscard]] Points allPoints(const Reference& reference);
 
-/// Every k-th of some points, so that there are no more than `most` > 0: enough where a few hundred
-/// more of the same walls say the same.
-[[nodiscard]] Points someOf(const Points& points, std::size_t most);
-
 /// The same view seen from another frame: `p_a = T_a_b * p_b`.
 [[nodiscard]] View transformed(const geometry::Pose2& T_a_b, const View& view_b);
 

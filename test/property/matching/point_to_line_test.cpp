@@ -126,6 +126,32 @@ TEST(PointToLineLaws, MatrixAgreesWithDifferencesOfTheDistances) {
   EXPECT_LT((matrix - expected).norm(), 1e-6 * expected.norm());
 }
 
+TEST(PointToLineLaws, SomeOfThePointsSayWhatTheySayAlone) {
+  const DistanceKernel kernel{0.3, 0.02, 0.1};
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const Points reference = smallScene(random);
+    const Points scan = smallScene(random);
+    const SomePoints some = someOf(scan, 20);
+    Points alone;
+    for (std::size_t i = 0; i < scan.size(); i += some.stride) {
+      alone.push_back(scan[i]);
+    }
+    EXPECT_LE(alone.size(), 20U);
+    EXPECT_GT(alone.size(), 10U);
+    SurfaceModel model(reference);
+    SurfaceModel another(reference);
+    for (int i = 0; i < 5; ++i) {
+      const Pose2 pose = test::randomPose(0.1, 0.1, random);
+      const auto of_some = linearize(model, some, pose, kernel);
+      const auto of_all = linearize(another, alone, pose, kernel);
+      EXPECT_EQ(of_some.matrix, of_all.matrix);
+      EXPECT_EQ(of_some.vector, of_all.vector);
+    }
+  }
+}
+
 TEST(PointToLineLaws, OpenDirectionLeadsBackToTheGuess) {
   PointToLineEquations equations;
   equations.matrix.diagonal() = Eigen::Vector3d(1e3, 1e6, 1e6);
