@@ -95,7 +95,7 @@ class Attempt {
                                    kPointSpacing * settings.own.resolution),
                 guess,
                 {settings.own.window, settings.own.resolution, settings.match.outlier_distance,
-                 settings.own.least_score}) {}
+                 settings.own.least_score, settings.own.least_rival}) {}
 
   /// @param count of peaks, at most
   [[nodiscard]] CorrelativeMatch run(std::size_t count) const {
@@ -155,6 +155,7 @@ std::vector<std::string> CorrelativeMatcherConfig::validate() const {
   violations.requireWithin("window/rotation", window.rotation, 0.0, 3.15);
   violations.requireWithin("resolution", resolution, 0.002, 1.0);
   violations.requireWithin("least_score", least_score, 0.0, 1.0);
+  violations.requireWithin("least_rival", least_rival, 0.0, 1.0);
   violations.requireAtLeast("max_refinements", max_refinements, 0);
   return violations.sentences();
 }

@@ -175,7 +175,8 @@ struct CorrelativeSearch::Candidate {
 /// The blocks that together hold all poses that may still be the best, best bound first.
 class CorrelativeSearch::Frontier {
  public:
-  explicit Frontier(const CorrelativeSearch& search) : search_(search) {
+  explicit Frontier(const CorrelativeSearch& search)
+      : search_(search), least_bound_(search.least_bound_) {
     const int level = search.pyramid_.levels() - 1;
     for (int below = 0; below <= level; ++below) {
       turned_scans_.emplace_back(
@@ -187,7 +188,11 @@ class CorrelativeSearch::Frontier {
     }
   }
 
-  [[nodiscard]] bool empty() const { return queue_.empty(); }
+  /// Whether there is none left of which a pose could be of use.
+  [[nodiscard]] bool empty() const { return queue_.empty() || queue_.top().bound <= least_bound_; }
+
+  /// From now on, poses of no higher bound are of no use.
+  void demand(int bound) { least_bound_ = std::max(least_bound_, bound); }
 
   [[nodiscard]] PoseBlock pop() {
     const PoseBlock block = queue_.top().block;
@@ -226,7 +231,7 @@ class CorrelativeSearch::Frontier {
     for (std::size_t k = 0; k < blocks.size(); ++k) {
       const bool is_wanted = blocks[k].x <= last_x && blocks[k].y <= last_y;
       less[k] = is_wanted ? search_.less(blocks[k]) : 0;
-      least[k] = is_wanted ? search_.least_bound_ + less[k] : kNotAtAll;
+      least[k] = is_wanted ? least_bound_ + less[k] : kNotAtAll;
     }
     const PoseBlock& first = blocks.front();
     const Four sums = turnedScan(first.level, first.a).sums(search_.pyramid_, first, least);
@@ -248,6 +253,7 @@ class CorrelativeSearch::Frontier {
   }
 
   const CorrelativeSearch& search_;
+  int least_bound_;
   std::priority_queue<Candidate> queue_;
   std::vector<std::vector<std::optional<TurnedScan>>> turned_scans_;  // by level, and heading
 };
@@ -256,8 +262,8 @@ CorrelativeSearch::CorrelativeSearch(const Points& surfaces, const Points& scan,
                                      const CorrelativeSearchConfig& config)
     : scan_(scan),
       reach_(config.reach),
-      least_bound_(static_cast<int>(config.least_score * LikelihoodPyramid::kFull *
-                                    static_cast<double>(scan.size()))),
+      least_bound_(boundOf(config.least_score)),
+      least_rival_(config.least_rival),
       lattice_(latticeFor(scan, guess, config)),
       pyramid_(cellsOf(surfaces, guess.translation(), config.resolution),
                stepsWithin(config.reach, config.resolution), levelsFor(lattice_)) {}
@@ -267,6 +273,9 @@ std::vector<CorrelativePeak> CorrelativeSearch::peaks(std::size_t count,
   const int steps = stepsWithin(apart.translation, lattice_.step);
   const int turns = stepsWithin(apart.rotation, lattice_.turn);
   std::vector<PoseBlock> found;
+  const auto poseOf = [this](const PoseBlock& block) {
+    return lattice_.poseAt(block.x, block.y, block.a);
+  };
   const auto is_known = [&](const PoseBlock& block) {
     const int side = sideOf(block);
     return std::any_of(found.begin(), found.end(), [&](const PoseBlock& peak) {
@@ -281,14 +290,14 @@ std::vector<CorrelativePeak> CorrelativeSearch::peaks(std::size_t count,
     }
     if (block.level == 0) {
       found.push_back(block);
+      frontier.demand(boundOf(least_rival_ * score(poseOf(found.front()))));
     } else {
       frontier.split(block);
     }
   }
   std::vector<CorrelativePeak> peaks;
   for (const PoseBlock& block : found) {
-    const Pose2 pose = lattice_.poseAt(block.x, block.y, block.a);
-    peaks.push_back({pose, score(pose)});
+    peaks.push_back({poseOf(block), score(poseOf(block))});
   }
   return peaks;
 }
@@ -308,6 +317,11 @@ double CorrelativeSearch::score(const Pose2& T_reference_scan) const {
 int CorrelativeSearch::bound(const PoseBlock& block) const {
   const TurnedScan scan(*this, block.level, block.a);
   return scan.sums(pyramid_, block, {kExactly, kNotAtAll, kNotAtAll, kNotAtAll})[0] - less(block);
+}
+
+/// A mean likelihood in the units of sums.
+int CorrelativeSearch::boundOf(double score) const {
+  return static_cast<int>(score * LikelihoodPyramid::kFull * static_cast<double>(scan_.size()));
 }
 
 /// The handicap in the units of sums.

@@ -21,6 +21,7 @@ struct CorrelativeSearchConfig {
   double resolution{0.02};  ///< [m] between the poses that are tried
   double reach{0.1};        ///< [m] a point farther from all surfaces adds nothing
   double least_score{0.0};  ///< [0, 1] poses that score less are of no use, and found sooner
+  double least_rival{0.0};  ///< [0, 1] likewise after the best one, of its score
 };
 
 /// The poses that a search tries: a guess and those around it, in even steps along the reference's
@@ -89,12 +90,14 @@ class CorrelativeSearch {
   class Frontier;
   class TurnedScan;
 
+  [[nodiscard]] int boundOf(double score) const;
   [[nodiscard]] int less(const PoseBlock& block) const;
   [[nodiscard]] double handicap(const PoseBlock& block) const;
 
   Points scan_;
   double reach_;
   int least_bound_;
+  double least_rival_;
   PoseLattice lattice_;
   LikelihoodPyramid pyramid_;
 };

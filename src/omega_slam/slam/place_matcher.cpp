@@ -20,18 +20,19 @@ constexpr double kNarrow = 0.4;         // [m] up to which points are drawn to l
 constexpr double kWide = 1.0;           // [m]
 constexpr double kSearchStep = 0.05;    // [m] of the correlative search
 constexpr double kLeastScore = 0.5;     // of the search; what is confident scores far more
-constexpr double kMostAmbiguity = 0.9;  // score of a rival
+constexpr double kMostAmbiguity = 0.9;  // score of a rival, of the best one's
 
 /// Squared errors of point to line matches between visits, over what their covariance says: the
 /// place itself is only as true as the graph. (1.4 to 4.3 in four simulated drives, lab and
 /// office.)
 constexpr double kDoubt = 3.0;
 
-matching::CorrelativeMatcherConfig searchIn(const SearchWindow& window, double least_score) {
+matching::CorrelativeMatcherConfig searchIn(const SearchWindow& window) {
   matching::CorrelativeMatcherConfig config;
   config.window = window;
   config.resolution = kSearchStep;
-  config.least_score = least_score;
+  config.least_score = kLeastScore;
+  config.least_rival = kMostAmbiguity;
   return config;
 }
 
@@ -55,30 +56,23 @@ std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
                                                const matching::View& scan, const Pose2& guess,
                                                const SearchWindow& window) const {
   MatchResult found;
-  double score = 0.0;
+  bool is_ambiguous = false;
   if (window.translation <= kNarrow) {
     found = matching::PointToLineMatcher({}, config_.match).match(place, scan, guess);
     found.covariance *= kDoubt;
   } else {
-    const matching::CorrelativeMatcher search(searchIn(window, kLeastScore), config_.match);
-    const auto best = search.matchWithPeaks(place, scan, guess, 1);
+    const matching::CorrelativeMatcher search(searchIn(window), config_.match);
+    const auto best = search.matchWithPeaks(place, scan, guess, isWide(window) ? 2 : 1);
     found = best.result;
-    score = best.peaks.empty() ? 0.0 : best.peaks.front().score;
+    is_ambiguous = best.peaks.size() > 1;
   }
-  if (found.confidence < config_.min_confidence || found.open_direction) {
+  if (found.confidence < config_.min_confidence || found.open_direction || is_ambiguous) {
     return std::nullopt;
   }
   const auto sight = matching::checkSightBothWays(
       place.back(), matching::transformed(found.T_reference_scan, scan));
   if (sight.contradiction() > config_.max_contradiction) {
     return std::nullopt;
-  }
-  if (isWide(window)) {
-    const matching::CorrelativeMatcher rivals(searchIn(window, kMostAmbiguity * score),
-                                              config_.match);
-    if (rivals.matchWithPeaks(place, scan, guess, 2).peaks.size() > 1) {
-      return std::nullopt;
-    }
   }
   return found;
 }

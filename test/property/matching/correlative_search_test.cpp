@@ -191,6 +191,33 @@ TEST(CorrelativeSearchLaws, PeaksAreApartAndInOrder) {
   }
 }
 
+TEST(CorrelativeSearchLaws, RivalsOfASmallerShareAreLeftOut) {
+  constexpr double kShare = 0.6;
+  constexpr double kWorthOfNearness = 0.04;
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const Scene scene = randomScene(random);
+    CorrelativeSearchConfig config{{0.4, 0.2}, 0.04, 0.2};
+    const SearchWindow apart{0.1, 0.05};
+    const auto all =
+        CorrelativeSearch(scene.reference, scene.scan, scene.guess, config).peaks(8, apart);
+    config.least_rival = kShare;
+    const auto rivals =
+        CorrelativeSearch(scene.reference, scene.scan, scene.guess, config).peaks(8, apart);
+    ASSERT_FALSE(rivals.empty());
+    ASSERT_LE(rivals.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i < rivals.size()) {
+        EXPECT_EQ(rivals[i].score, all[i].score) << i;
+        EXPECT_GT(rivals[i].score, kShare * all[0].score - 1e-9) << i;
+      } else {
+        EXPECT_LE(all[i].score, kShare * all[0].score + kWorthOfNearness) << i;
+      }
+    }
+  }
+}
+
 TEST(CorrelativeSearchLaws, SecondPeakIsTheBestBeyondTheFirst) {
   std::mt19937_64 random(4);
   const Scene scene = randomScene(random);
