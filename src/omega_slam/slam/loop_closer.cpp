@@ -53,6 +53,14 @@ bool agree(const Constraint& a, const Constraint& b, const std::vector<Pose2>& p
   return std::hypot(gap.x, gap.y) <= kAgreeTranslation && std::abs(gap.theta) <= kAgreeRotation;
 }
 
+/// [m] to a place that is told as seen from a pose. Beyond the farthest that matters, as most are,
+/// only that it is: which takes no sine.
+double wayTo(const Eigen::Vector2d& seen, const Pose2& pose, const Eigen::Vector2d& p_pose,
+             double farthest) {
+  const double least = (pose.translation() - seen).norm() - p_pose.norm();
+  return least > farthest ? least : (pose * p_pose - seen).norm();
+}
+
 }  // namespace
 
 std::vector<std::string> LoopCloserConfig::validate() const {
@@ -103,9 +111,10 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
   const auto separation = static_cast<NodeId>(config_.min_separation);
   std::vector<Candidate> all;
   const Eigen::Vector2d seen = graph.poses[id] * seen_[id];
+  const double farthest = config_.search_radius + config_.max_window.translation;
   for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
-    const double way = (graph.poses[earlier] * seen_[earlier] - seen).norm();
-    if (way > config_.search_radius + config_.max_window.translation || !known.reaches(earlier)) {
+    const double way = wayTo(seen, graph.poses[earlier], seen_[earlier], farthest);
+    if (way > farthest || !known.reaches(earlier)) {
       continue;  // what is not reached has retired, and newer ones have seen its place
     }
     const double deviation = known.placeDeviation(earlier);

@@ -122,13 +122,14 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId n
 }
 
 bool Surroundings::hasBent(NodeId newest) const {
+  const Pose2 T_newest_local = drawn_.at(newest).inverse();
+  const Pose2 T_newest_graph = poses_[newest].inverse();
   return std::any_of(drawn_.begin(), drawn_.end(), [&](const auto& drawn) {
     const auto& [id, T_local_base] = drawn;
     if (id >= newest || distance(poses_[id], poses_[newest]) > config_.radius) {
       return false;
     }
-    const Pose2 bend = relativePose(relativePose(drawn_.at(newest), T_local_base),
-                                    relativePose(poses_[newest], poses_[id]));
+    const Pose2 bend = relativePose(T_newest_local * T_local_base, T_newest_graph * poses_[id]);
     return std::hypot(bend.x, bend.y) > kBendTranslation || std::abs(bend.theta) > kBendRotation;
   });
 }
