@@ -30,14 +30,15 @@ bool isTogether(const Viewpoint& a, const Viewpoint& b) {
 /// Frontiers that are seen together.
 struct Stop {
   std::size_t option{0};  ///< the nearest of them
-  double behind{0.0};     ///< [m^2] all of them
+  double price{0.0};      ///< [m] of leaving all of them out
 };
 
-/// [m^2] Where the robot began it did not see its own place, and it must, to come home.
-double behindOf(const Option& option, const Situation& situation) {
+/// [m] of leaving an option out. Where the robot began it did not see its own place, and it must,
+/// to come home.
+double priceOf(const Option& option, const Situation& situation) {
   const Eigen::Vector2d place = option.viewpoint.T_map_base.translation();
   const bool is_home = (place - situation.origin).norm() < kAtHome;
-  return is_home ? std::numeric_limits<double>::infinity() : option.behind;
+  return is_home || option.behind >= kNook ? kMust : kWorth * option.behind;
 }
 
 /// The options as stops, the nearest first; but first of all the one that the robot is on its way
@@ -57,11 +58,11 @@ std::vector<Stop> stopsOf(const Situation& situation) {
     const auto together = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) {
       return isTogether(options[i].viewpoint, options[stop.option].viewpoint);
     });
-    const double behind = behindOf(options[i], situation);
+    const double price = priceOf(options[i], situation);
     if (together == stops.end()) {
-      stops.push_back({i, behind});
+      stops.push_back({i, price});
     } else {
-      together->behind += behind;
+      together->price += price;
     }
   }
   return stops;
@@ -72,12 +73,11 @@ TourCosts costsOf(const Situation& situation, const std::vector<Stop>& stops) {
   const std::vector<double> home = situation.travelHome();
   for (const Stop& from : stops) {
     const Option& option = situation.options[from.option];
-    const bool is_nook = from.behind < kNook;
     const double constancy = option.frontier == situation.current ? kConstancy : 0.0;
     costs.start.push_back(option.viewpoint.travel + kTurnCost * option.turn - constancy);
     costs.end.push_back(std::min(home[from.option], kUnreachable));
-    costs.skip.push_back(is_nook ? kWorth * from.behind : kMust);
-    costs.eagerness.push_back(is_nook ? 0.0 : kEagerness);
+    costs.skip.push_back(from.price);
+    costs.eagerness.push_back(from.price < kMust ? 0.0 : kEagerness);
     const std::vector<double> row = situation.travelFrom(from.option);
     costs.between.emplace_back();
     for (const Stop& to : stops) {

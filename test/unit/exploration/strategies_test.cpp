@@ -168,6 +168,14 @@ TEST(Tour, LeavesNoNookOutWhereTheRobotIsToBeInTheEnd) {
   EXPECT_TRUE(makeStrategy("tour")->choose(now));
 }
 
+TEST(Tour, TwoNooksBesideEachOtherAreNooksStill) {
+  Situation now = lineOf({-15.0, -15.3}, 5.0);
+  now.options[0].behind = now.options[1].behind = 0.6;
+  EXPECT_FALSE(makeStrategy("tour")->choose(now));
+  now.options[1].behind = 1.2;
+  EXPECT_TRUE(makeStrategy("tour")->choose(now));
+}
+
 TEST(Tour, SeesWhatIsLargeAlthoughNoWayHomeIsKnown) {
   Situation now = lineOf({5.0}, 0.0);
   now.travelHome = [] { return std::vector{std::numeric_limits<double>::infinity()}; };
