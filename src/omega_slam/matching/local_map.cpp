@@ -23,7 +23,7 @@ constexpr int kLeastOdds = -40;       // a wall that appears is believed after f
 constexpr int kMostOdds = 63;         // one that has gone, after sixteen
 
 constexpr double kSameWall = 0.2;    // [m] neighbouring returns closer than this are on one wall
-constexpr double kWaySpacing = 0.2;  // [m] of the ends of beams whose ways are traced
+constexpr double kWaySpacing = 0.4;  // [m] of the ends of beams whose ways are traced
 constexpr double kMargin = 10.0;     // [m] that the window is wider than what it has to hold
 constexpr double kFarthest = 1e6;    // [m] from the map's origin, where doubles are 0.1 nm apart
 constexpr double kMostCells = 8192;  // along an edge of the finest grid
