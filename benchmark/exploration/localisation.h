@@ -41,7 +41,7 @@ class Localisation {
 };
 
 /// By slam::Pipeline, or by the truth: then keyframes are made as often, and nothing is ever
-/// corrected, so that a run takes a small part of the time.
+/// corrected. What differs is due to localisation.
 [[nodiscard]] std::unique_ptr<Localisation> makeLocalisation(LocalisationKind kind,
                                                              const config::SlamConfig& config);
 
