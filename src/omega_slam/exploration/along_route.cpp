@@ -6,7 +6,7 @@
 
 namespace omega_slam::exploration {
 
-std::optional<std::size_t> AlongRoute::choose(const Situation& situation) const {
+std::size_t AlongRoute::choose(const Situation& situation) const {
   constexpr double kSameDirection = geometry::kPi / 4.0;  // [rad]
   constexpr double kFar = 1.0e6;                          // [m] longer than any way
   return cheapest(situation.options, [](const Option& option) {

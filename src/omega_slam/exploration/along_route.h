@@ -9,7 +9,7 @@ namespace omega_slam::exploration {
 /// eighth of a turn are as good as each other; among them the shortest is taken.
 class AlongRoute : public Strategy {
  public:
-  [[nodiscard]] std::optional<std::size_t> choose(const Situation& situation) const override;
+  [[nodiscard]] std::size_t choose(const Situation& situation) const override;
 };
 
 }  // namespace omega_slam::exploration

@@ -162,7 +162,7 @@ Order Explorer::decide(double now, const Pose2& T_map_base) {
     return endExploring(Ending::kStuck,
                         fmt::format("{} goals in a row could not be reached.", failures_));
   }
-  const std::vector<Option> options = optionsNow(survey, now);
+  const std::vector<Option> options = optionsAtAll(survey, now);
   measureProgress(survey, options);
   if (goal_ && !isWorthwhile(survey)) {
     dropGoal();
@@ -171,11 +171,8 @@ Order Explorer::decide(double now, const Pose2& T_map_base) {
   if (goal_ && !(chooses_under_way && isOption(goal_->frontier, options))) {
     return {};
   }
-  if (const auto chosen = choose(survey, options)) {
-    return follow(*chosen, survey, from);
-  }
-  if (const auto chosen = choose(survey, optionsAtAll(survey, now))) {
-    return follow(*chosen, survey, from);
+  if (!options.empty()) {
+    return choose(survey, options, from);
   }
   return set_aside_.isWaiting(now, config_.max_attempts) ? cancel() : whenNothingIsLeft();
 }
@@ -260,9 +257,13 @@ std::vector<Option> Explorer::optionsNow(const Survey& survey, double now) const
 }
 
 std::vector<Option> Explorer::optionsAtAll(const Survey& survey, double now) {
-  detector_.searchAll(MapView(*map_));
   std::vector<Option> options = optionsNow(survey, now);
-  if (!choose(survey, options) && set_aside_.release(now, config_.max_attempts)) {
+  if (!options.empty()) {
+    return options;
+  }
+  detector_.searchAll(MapView(*map_));
+  options = optionsNow(survey, now);
+  if (options.empty() && set_aside_.release(now, config_.max_attempts)) {
     options = optionsNow(survey, now);
   }
   return options;
@@ -294,33 +295,22 @@ void Explorer::measureProgress(const Survey& survey, const std::vector<Option>& 
   progress_.frontiers = options.size();
 }
 
-std::optional<Option> Explorer::choose(const Survey& survey,
-                                       const std::vector<Option>& options) const {
-  if (options.empty()) {
-    return std::nullopt;
-  }
+Order Explorer::choose(const Survey& survey, const std::vector<Option>& options,
+                       const Pose2& T_map_base) {
   if (!strategy_) {
-    return options.front();
+    return stepAlongWall(survey, T_map_base);
   }
   const Situation situation{
       options,
-      *last_pose_,
+      T_map_base,
       goal_ ? goal_->frontier : 0,
       home_->translation(),
       [&](std::size_t from) { return survey.travelBetween(options[from], options); },
       [&] {
         return config_.return_home ? survey.travelBetween(options, home_->translation())
                                    : std::vector<double>(options.size(), 0.0);
-      },
-      config_.return_home ? survey.travelTo(home_->translation()).value_or(0.0) : 0.0};
-  const auto index = strategy_->choose(situation);
-  return index ? std::optional<Option>(options[*index]) : std::nullopt;
-}
-
-Order Explorer::follow(const Option& chosen, const Survey& survey, const Pose2& T_map_base) {
-  if (!strategy_) {
-    return stepAlongWall(survey, T_map_base);
-  }
+      }};
+  const Option& chosen = options[strategy_->choose(situation)];
   if (goal_ && goal_->frontier == chosen.frontier) {
     return {};
   }

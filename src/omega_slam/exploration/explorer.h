@@ -124,10 +124,8 @@ class Explorer {
   [[nodiscard]] std::vector<Option> optionsAtAll(const Survey& survey, double now);
   [[nodiscard]] bool isInArea(const Eigen::Vector2d& point) const;
   void measureProgress(const Survey& survey, const std::vector<Option>& options);
-  /// The option that the strategy wants; none if none is left or worth its way.
-  [[nodiscard]] std::optional<Option> choose(const Survey& survey,
-                                             const std::vector<Option>& options) const;
-  Order follow(const Option& chosen, const Survey& survey, const geometry::Pose2& T_map_base);
+  Order choose(const Survey& survey, const std::vector<Option>& options,
+               const geometry::Pose2& T_map_base);
   Order stepAlongWall(const Survey& survey, const geometry::Pose2& T_map_base);
   Order goTo(const geometry::Pose2& T_map_goal, FrontierId frontier);
   [[nodiscard]] std::string spentBudget() const;

@@ -182,8 +182,7 @@ Order Explorer::comeHome(double now, const Pose2& T_map_base) {
 
 bool Explorer::isAnythingLeft(double now, const Pose2& T_map_base) {
   map_is_new_ = false;
-  const Survey survey = surveyFrom(T_map_base);
-  return choose(survey, optionsNow(survey, now)).has_value();
+  return !optionsNow(surveyFrom(T_map_base), now).empty();
 }
 
 Order Explorer::end(const std::string& addition) {

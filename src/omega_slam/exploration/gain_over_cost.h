@@ -10,7 +10,7 @@ namespace omega_slam::exploration {
 /// counts as way.
 class GainOverCost : public Strategy {
  public:
-  [[nodiscard]] std::optional<std::size_t> choose(const Situation& situation) const override;
+  [[nodiscard]] std::size_t choose(const Situation& situation) const override;
 };
 
 }  // namespace omega_slam::exploration

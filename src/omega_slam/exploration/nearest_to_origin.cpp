@@ -2,7 +2,7 @@
 
 namespace omega_slam::exploration {
 
-std::optional<std::size_t> NearestToOrigin::choose(const Situation& situation) const {
+std::size_t NearestToOrigin::choose(const Situation& situation) const {
   return cheapest(situation.options, [&situation](const Option& option) {
     return (option.viewpoint.T_map_base.translation() - situation.origin).norm();
   });

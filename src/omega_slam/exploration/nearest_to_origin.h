@@ -9,7 +9,7 @@ namespace omega_slam::exploration {
 /// loops. As in the paper the distance is as the crow flies.
 class NearestToOrigin : public Strategy {
  public:
-  [[nodiscard]] std::optional<std::size_t> choose(const Situation& situation) const override;
+  [[nodiscard]] std::size_t choose(const Situation& situation) const override;
 };
 
 }  // namespace omega_slam::exploration

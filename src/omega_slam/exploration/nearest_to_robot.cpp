@@ -2,7 +2,7 @@
 
 namespace omega_slam::exploration {
 
-std::optional<std::size_t> NearestToRobot::choose(const Situation& situation) const {
+std::size_t NearestToRobot::choose(const Situation& situation) const {
   return cheapest(situation.options, [](const Option& option) { return option.viewpoint.travel; });
 }
 

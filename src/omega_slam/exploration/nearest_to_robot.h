@@ -7,7 +7,7 @@ namespace omega_slam::exploration {
 /// The frontier closest to the robot (the paper, section 4.3), by the length of the way to it.
 class NearestToRobot : public Strategy {
  public:
-  [[nodiscard]] std::optional<std::size_t> choose(const Situation& situation) const override;
+  [[nodiscard]] std::size_t choose(const Situation& situation) const override;
 };
 
 }  // namespace omega_slam::exploration

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include "omega_slam/exploration/viewpoint.h"
@@ -16,7 +14,6 @@ struct Option {
   Viewpoint viewpoint;
   double gain{0.0};  ///< [m^2] unknown area that may be seen from there
   double turn{0.0};  ///< [rad] in [0, pi], between where the robot looks and where its way begins
-  double behind{std::numeric_limits<double>::infinity()};  ///< [m^2] Beyond::areaBehind()
 };
 
 /// All that a strategy decides by.
@@ -33,9 +30,6 @@ struct Situation {
   /// [m] likewise of the ways from all to where the robot is to be in the end; zeros if it may end
   /// anywhere.
   std::function<std::vector<double>()> travelHome;
-
-  /// [m] of the way from the robot to there.
-  double home{0.0};
 };
 
 /// Says which frontier to explore next. Deterministic.
@@ -43,8 +37,8 @@ class Strategy {
  public:
   virtual ~Strategy() = default;
 
-  /// @return index of an option; none if not one is worth its way
-  [[nodiscard]] virtual std::optional<std::size_t> choose(const Situation& situation) const = 0;
+  /// @return index of an option
+  [[nodiscard]] virtual std::size_t choose(const Situation& situation) const = 0;
 
   /// Whether it wants to choose again whenever the map is new, and not only once the frontier that
   /// the robot is on its way to is gone.

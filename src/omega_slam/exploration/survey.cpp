@@ -17,7 +17,6 @@ constexpr double kSnap = 1.0;          // [m] from a robot that is too close to 
 constexpr double kPocket = 1.0;        // [m^2] of room that is taken to be closed by mistake
 constexpr double kViewDistance = 2.0;  // [m] viewpoints farther from a frontier are none
 constexpr double kShort = 1.0;         // [m] a shorter frontier in a gap too narrow is left alone
-constexpr double kBehind = 2.0;        // [m] around a frontier that what lies beyond it counts
 constexpr double kWayAhead = 0.5;      // [m] of a way that tell the direction in which it begins
 
 /// The map with obstacles at those points.
@@ -71,8 +70,7 @@ Survey::Survey(const grid::OccupancyGrid& map, const std::vector<Eigen::Vector2d
       robot_radius_(robot_radius),
       sensor_range_(sensor_range),
       room_(roomFor(blockedAt(touched, map), view_, robot_radius, T_map_base.translation())),
-      travel_(travelFrom(room_, view_, T_map_base.translation())),
-      beyond_(view_, travel_, robot_radius) {}
+      travel_(travelFrom(room_, view_, T_map_base.translation())) {}
 
 double Survey::turnTowards(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d way = point - T_map_base_.translation();
@@ -101,8 +99,7 @@ std::optional<Option> Survey::optionFor(const Frontier& frontier,
   const double turn =
       is_here ? std::abs(geometry::angleDifference(viewpoint->T_map_base.theta, T_map_base_.theta))
               : turnTowards(ahead == path.end() ? place : *ahead);
-  return Option{frontier.id, *viewpoint, expectedGain(view_, place, sensor_range_), turn,
-                beyond_.areaBehind(frontier, kBehind)};
+  return Option{frontier.id, *viewpoint, expectedGain(view_, place, sensor_range_), turn};
 }
 
 bool Survey::isSeenFrom(const Frontier& frontier, const Eigen::Vector2d& place) const {

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "omega_slam/exploration/beyond.h"
 #include "omega_slam/exploration/standing_room.h"
 #include "omega_slam/exploration/strategy.h"
 #include "omega_slam/exploration/travel_field.h"
@@ -60,7 +59,6 @@ class Survey {
   double sensor_range_;
   StandingRoom room_;
   TravelField travel_;
-  Beyond beyond_;
 };
 
 }  // namespace omega_slam::exploration

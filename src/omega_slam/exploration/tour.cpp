@@ -14,11 +14,7 @@ constexpr double kTogether = 1.5;       // [m] options nearer to each other are 
 constexpr double kTurnCost = 0.6;       // [m/rad] about what the robot drives while it turns so far
 constexpr double kConstancy = 1.0;      // [m] that the way to where the robot goes already is less
 constexpr double kEagerness = 0.3;      // of a metre, for each stop that is reached by it or after
-constexpr double kNook = 1.0;           // [m^2] what is smaller may be left out,
-constexpr double kWorth = 4.0;          // [m/m^2] if the way to it is longer than it is worth
-constexpr double kAtHome = 1.0;         // [m] around where it began, what is unknown is no nook
 constexpr double kUnreachable = 1.0e6;  // [m] longer than any way, but a number to reckon with
-constexpr double kMust = 1.0e9;         // [m] more than any tour: what leaving out all else costs
 
 /// Whether what is to be seen from one will likely be seen on the way to the other. Walls between
 /// them show by the ways from the robot.
@@ -27,23 +23,9 @@ bool isTogether(const Viewpoint& a, const Viewpoint& b) {
          std::abs(a.travel - b.travel) < kTogether;
 }
 
-/// Frontiers that are seen together.
-struct Stop {
-  std::size_t option{0};  ///< the nearest of them
-  double price{0.0};      ///< [m] of leaving all of them out
-};
-
-/// [m] of leaving an option out. Where the robot began it did not see its own place, and it must,
-/// to come home.
-double priceOf(const Option& option, const Situation& situation) {
-  const Eigen::Vector2d place = option.viewpoint.T_map_base.translation();
-  const bool is_home = (place - situation.origin).norm() < kAtHome;
-  return is_home || option.behind >= kNook ? kMust : kWorth * option.behind;
-}
-
-/// The options as stops, the nearest first; but first of all the one that the robot is on its way
-/// to.
-std::vector<Stop> stopsOf(const Situation& situation) {
+/// Indices of the options that are stops, the nearest of those together; but first of all the one
+/// that the robot is on its way to.
+std::vector<std::size_t> stopsOf(const Situation& situation) {
   const std::vector<Option>& options = situation.options;
   const auto rank = [&](std::size_t i) {
     const bool is_other = options[i].frontier != situation.current;
@@ -53,35 +35,30 @@ std::vector<Stop> stopsOf(const Situation& situation) {
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   std::sort(indices.begin(), indices.end(),
             [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-  std::vector<Stop> stops;
+  std::vector<std::size_t> stops;
   for (const std::size_t i : indices) {
-    const auto together = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) {
-      return isTogether(options[i].viewpoint, options[stop.option].viewpoint);
+    const bool is_stop = std::none_of(stops.begin(), stops.end(), [&](std::size_t stop) {
+      return isTogether(options[i].viewpoint, options[stop].viewpoint);
     });
-    const double price = priceOf(options[i], situation);
-    if (together == stops.end()) {
-      stops.push_back({i, price});
-    } else {
-      together->price += price;
+    if (is_stop && stops.size() < kMaxStops) {
+      stops.push_back(i);
     }
   }
   return stops;
 }
 
-TourCosts costsOf(const Situation& situation, const std::vector<Stop>& stops) {
+TourCosts costsOf(const Situation& situation, const std::vector<std::size_t>& stops) {
   TourCosts costs;
   const std::vector<double> home = situation.travelHome();
-  for (const Stop& from : stops) {
-    const Option& option = situation.options[from.option];
+  for (const std::size_t from : stops) {
+    const Option& option = situation.options[from];
     const double constancy = option.frontier == situation.current ? kConstancy : 0.0;
     costs.start.push_back(option.viewpoint.travel + kTurnCost * option.turn - constancy);
-    costs.end.push_back(std::min(home[from.option], kUnreachable));
-    costs.skip.push_back(from.price);
-    costs.eagerness.push_back(from.price < kMust ? 0.0 : kEagerness);
-    const std::vector<double> row = situation.travelFrom(from.option);
+    costs.end.push_back(std::min(home[from], kUnreachable));
+    const std::vector<double> row = situation.travelFrom(from);
     costs.between.emplace_back();
-    for (const Stop& to : stops) {
-      costs.between.back().push_back(std::min(row[to.option], kUnreachable));
+    for (const std::size_t to : stops) {
+      costs.between.back().push_back(std::min(row[to], kUnreachable));
     }
   }
   return costs;
@@ -89,22 +66,18 @@ TourCosts costsOf(const Situation& situation, const std::vector<Stop>& stops) {
 
 }  // namespace
 
-std::vector<double> costsByFirst(const TourCosts& costs) {
+std::vector<double> costsByFirst(const TourCosts& costs, double eagerness) {
   const std::size_t count = costs.start.size();
   const std::size_t all = (std::size_t{1} << count) - 1;
-  // rest[set][from]: from a stop through those of the set that are worth it to the end.
+  // rest[set][from]: from a stop through all those of the set to the end. A way counts once, and
+  // by `eagerness` once more for each stop that is reached by it, or after it.
   std::vector<std::vector<double>> rest(all + 1, std::vector<double>(count, 0.0));
   rest[0] = costs.end;
-  std::vector<double> weights(all + 1, 1.0);  // of a way by what is still to come
-  std::vector<double> skips(all + 1, 0.0);
+  std::vector<double> weights(all + 1, 1.0);
   for (std::size_t set = 1; set <= all; ++set) {
-    for (std::size_t stop = 0; stop < count; ++stop) {
-      const bool is_in = (set >> stop & 1U) != 0;
-      weights[set] += is_in ? costs.eagerness[stop] : 0.0;
-      skips[set] += is_in ? costs.skip[stop] : 0.0;
-    }
+    weights[set] = weights[set >> 1U] + eagerness * static_cast<double>(set & 1U);
     for (std::size_t from = 0; from < count; ++from) {
-      double least = costs.end[from] + skips[set];
+      double least = std::numeric_limits<double>::infinity();
       for (std::size_t to = 0; to < count; ++to) {
         const std::size_t stop = std::size_t{1} << to;
         if ((set & stop) != 0) {
@@ -122,20 +95,11 @@ std::vector<double> costsByFirst(const TourCosts& costs) {
   return result;
 }
 
-std::optional<std::size_t> Tour::choose(const Situation& situation) const {
-  std::vector<Stop> stops = stopsOf(situation);
-  while (!stops.empty()) {
-    const auto few = stops.begin() + static_cast<std::ptrdiff_t>(std::min(stops.size(), kMaxStops));
-    const std::vector<Stop> near(stops.begin(), few);
-    const TourCosts now = costsOf(situation, near);
-    const std::vector<double> costs = costsByFirst(now);
-    const auto least = std::min_element(costs.begin(), costs.end());
-    if (*least < std::accumulate(now.skip.begin(), now.skip.end(), situation.home)) {
-      return near[static_cast<std::size_t>(least - costs.begin())].option;
-    }
-    stops.erase(stops.begin(), few);
-  }
-  return std::nullopt;
+std::size_t Tour::choose(const Situation& situation) const {
+  const std::vector<std::size_t> stops = stopsOf(situation);
+  const std::vector<double> costs = costsByFirst(costsOf(situation, stops), kEagerness);
+  const auto least = std::min_element(costs.begin(), costs.end());
+  return stops[static_cast<std::size_t>(least - costs.begin())];
 }
 
 }  // namespace omega_slam::exploration

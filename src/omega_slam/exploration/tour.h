@@ -15,16 +15,12 @@ namespace omega_slam::exploration {
 /// as the nearest. By early arrival much, the robot would leave what is near for where there are
 /// more of them.
 ///
-/// Nooks, behind which there is little (Option::behind), are left out if they are not worth their
-/// way: a travelling salesman who collects prizes (Balas, "The Prize Collecting Traveling Salesman
-/// Problem", Networks 19, 1989). A robot that has passed one does not come back for it.
-///
 /// Frontiers beside each other, which are seen together, are one stop. With many stops only the
 /// nearest few are ordered: how far away ones are visited matters little now. The order is made
 /// anew with each new map, since what has come into sight may lie on the way.
 class Tour : public Strategy {
  public:
-  [[nodiscard]] std::optional<std::size_t> choose(const Situation& situation) const override;
+  [[nodiscard]] std::size_t choose(const Situation& situation) const override;
   [[nodiscard]] bool choosesUnderWay() const override { return true; }
 };
 
@@ -33,17 +29,14 @@ struct TourCosts {
   std::vector<double> start;                 ///< from where the tour begins to each stop
   std::vector<std::vector<double>> between;  ///< [from][to]
   std::vector<double> end;                   ///< from each stop to where the tour ends
-  std::vector<double> skip;                  ///< of leaving a stop out
-  std::vector<double> eagerness;             ///< for each metre until a stop is reached
 };
 
-/// For each stop, what the best tour costs that goes to it first, then through those of the others
-/// that are worth it and to the end: its length, the prices of what is left out, and, by their
-/// eagerness, the ways until stops are reached (travelling salesman and repairman in one), by
-/// dynamic programming over sets of stops (Held and Karp, "A Dynamic Programming Approach to
-/// Sequencing Problems", 1962). Stops hurry until they are reached or the tour is at its end. Time
-/// grows with n^2 2^n, memory with n 2^n.
+/// For each stop, what the best tour costs that goes to it first, then through all others and to
+/// the end: its length, and `eagerness` times for each stop the way until it is reached (travelling
+/// salesman and repairman in one), by dynamic programming over sets of stops (Held and Karp, "A
+/// Dynamic Programming Approach to Sequencing Problems", 1962). Time grows with n^2 2^n, memory
+/// with n 2^n.
 /// @return as many costs as there are stops
-[[nodiscard]] std::vector<double> costsByFirst(const TourCosts& costs);
+[[nodiscard]] std::vector<double> costsByFirst(const TourCosts& costs, double eagerness);
 
 }  // namespace omega_slam::exploration

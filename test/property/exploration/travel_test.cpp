@@ -114,35 +114,27 @@ TEST(TravelField, AgreesWithBellmanAndFord) {
   }
 }
 
-/// Of a tour through stops in an order, of which those from `visited` on are left out.
-double costOf(const TourCosts& costs, const std::vector<std::size_t>& order, std::size_t visited) {
-  double eagerness = std::accumulate(costs.eagerness.begin(), costs.eagerness.end(), 0.0);
-  double cost = (1.0 + eagerness) * costs.start[order[0]];
-  for (std::size_t i = 1; i < visited; ++i) {
-    eagerness -= costs.eagerness[order[i - 1]];
-    cost += (1.0 + eagerness) * costs.between[order[i - 1]][order[i]];
-  }
-  for (std::size_t i = visited; i < order.size(); ++i) {
-    cost += costs.skip[order[i]];
-  }
-  return cost + costs.end[order[visited - 1]];
-}
-
-double bestCost(const TourCosts& costs, std::size_t first) {
+/// The best tour that begins with the stop, by trying all orders of the others: its length, and the
+/// ways until its stops are reached.
+double bestCost(const TourCosts& costs, double eagerness, std::size_t first) {
   std::vector<std::size_t> order(costs.start.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::swap(order[0], order[first]);
   std::sort(order.begin() + 1, order.end());
   double best = std::numeric_limits<double>::infinity();
   do {
-    for (std::size_t visited = 1; visited <= order.size(); ++visited) {
-      best = std::min(best, costOf(costs, order, visited));
+    double length = costs.start[first];
+    double arrivals = length;
+    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+      length += costs.between[order[i]][order[i + 1]];
+      arrivals += length;
     }
+    best = std::min(best, eagerness * arrivals + length + costs.end[order.back()]);
   } while (std::next_permutation(order.begin() + 1, order.end()));
   return best;
 }
 
-TEST(Tour, CostsWhatTryingAllOrdersOfSomeStopsFinds) {
+TEST(Tour, CostsWhatTryingAllOrdersFinds) {
   for (const std::uint64_t seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
@@ -153,12 +145,13 @@ TEST(Tour, CostsWhatTryingAllOrdersOfSomeStopsFinds) {
         std::generate(drawn.begin(), drawn.end(), [&] { return cost(random); });
         return drawn;
       };
-      TourCosts costs{draw(), {}, draw(), draw(), draw()};
+      TourCosts costs{draw(), {}, draw()};
       std::generate_n(std::back_inserter(costs.between), count, draw);
-      const std::vector<double> found = costsByFirst(costs);
+      const double eagerness = 0.1 * cost(random);
+      const std::vector<double> found = costsByFirst(costs, eagerness);
       ASSERT_EQ(found.size(), count);
       for (std::size_t first = 0; first < count; ++first) {
-        EXPECT_NEAR(found[first], bestCost(costs, first), 1e-9);
+        EXPECT_NEAR(found[first], bestCost(costs, eagerness, first), 1e-9);
       }
     }
   }

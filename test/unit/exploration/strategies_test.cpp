@@ -37,7 +37,7 @@ Situation situation() {
 
 FrontierId chosenBy(const std::string& strategy) {
   const Situation now = situation();
-  return now.options[makeStrategy(strategy)->choose(now).value()].frontier;
+  return now.options[makeStrategy(strategy)->choose(now)].frontier;
 }
 
 TEST(Strategies, EachChoosesItsOwn) {
@@ -54,7 +54,7 @@ TEST(Strategies, AmongEqualsTheOldestFrontierIsTaken) {
   now.travelHome = [] { return std::vector<double>{0.0, 0.0}; };
   for (const std::string& name : strategyNames()) {
     if (name != kWallFollowing && name != "nearest_to_origin") {
-      EXPECT_EQ(now.options[makeStrategy(name)->choose(now).value()].frontier, 5U) << name;
+      EXPECT_EQ(now.options[makeStrategy(name)->choose(now)].frontier, 5U) << name;
     }
   }
 }
@@ -67,11 +67,8 @@ TEST(Strategies, AllNamesAreKnownAndNoOthers) {
 }
 
 /// Stops on a line [m], the robot at 0, home at the other place.
-/// @param eagerness of each; none may be left out
-TourCosts onALine(const std::vector<double>& stops, double home, double eagerness = 0.0) {
+TourCosts onALine(const std::vector<double>& stops, double home) {
   TourCosts costs;
-  costs.skip.assign(stops.size(), 1.0e6);
-  costs.eagerness.assign(stops.size(), eagerness);
   for (const double from : stops) {
     costs.start.push_back(std::abs(from));
     costs.end.push_back(std::abs(from - home));
@@ -84,34 +81,27 @@ TourCosts onALine(const std::vector<double>& stops, double home, double eagernes
 }
 
 TEST(Tour, CostsItsLengthAndTheWaysUntilStopsAreReached) {
-  EXPECT_THAT(costsByFirst(onALine({2.0}, 3.0, 1.0)), ElementsAre(3.0 + 2.0));
+  EXPECT_THAT(costsByFirst(onALine({2.0}, 3.0), 1.0), ElementsAre(3.0 + 2.0));
   // The best tours are 2, 4, -1; or -1, 2, 4; or 4, 2, -1; then home at -3.
-  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0, 1.0)),
+  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0), 1.0),
               ElementsAre(11.0 + 2.0 + 4.0 + 9.0, 13.0 + 1.0 + 4.0 + 6.0, 11.0 + 4.0 + 6.0 + 9.0));
-  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0, 0.5)),
+  EXPECT_THAT(costsByFirst(onALine({2.0, -1.0, 4.0}, -3.0), 0.5),
               ElementsAre(11.0 + 7.5, 13.0 + 5.5, 11.0 + 9.5));
-  EXPECT_TRUE(costsByFirst({}).empty());
-}
-
-/// Of a robot at 0 that is to be home in the end.
-Situation lineOf(const std::vector<double>& stops, double home) {
-  Situation now;
-  for (const double stop : stops) {
-    now.options.push_back(option(now.options.size() + 1, stop, 0.0, std::abs(stop), 1.0, 0.0));
-  }
-  const TourCosts costs = onALine(stops, home);
-  now.travelFrom = [costs](std::size_t from) { return costs.between[from]; };
-  now.travelHome = [costs] { return costs.end; };
-  now.home = std::abs(home);
-  return now;
+  EXPECT_TRUE(costsByFirst({}, 1.0).empty());
 }
 
 /// Which of the stops on a line a tour that ends at home goes to first.
 /// @param current the stop that the robot is on its way to, as they are counted from 1
 double firstOnALine(const std::vector<double>& stops, double home, FrontierId current = 0) {
-  Situation now = lineOf(stops, home);
+  Situation now;
   now.current = current;
-  return stops[makeStrategy("tour")->choose(now).value()];
+  for (const double stop : stops) {
+    now.options.push_back(option(now.options.size() + 1, stop, 0.0, std::abs(stop), 1.0, 0.0));
+  }
+  const TourCosts costs = onALine(stops, home);
+  now.travelFrom = [&](std::size_t from) { return costs.between[from]; };
+  now.travelHome = [&] { return costs.end; };
+  return stops[makeStrategy("tour")->choose(now)];
 }
 
 TEST(Tour, LeavesForLastWhatLiesOnTheWayHome) {
@@ -143,57 +133,6 @@ TEST(Tour, TurnsRoundUnderWayOnlyIfItIsWorthIt) {
 TEST(Tour, GoesOnToItsFrontierAlthoughOneBesideItIsNearer) {
   EXPECT_EQ(firstOnALine({5.0, 4.2}, 0.0), 4.2);
   EXPECT_EQ(firstOnALine({5.0, 4.2}, 0.0, 1), 5.0);
-}
-
-/// A nook on a line, so large [m^2], and whether the robot goes there.
-bool isWorthIt(double behind, double nook, double home) {
-  Situation now = lineOf({nook}, home);
-  now.options[0].behind = behind;
-  return makeStrategy("tour")->choose(now).has_value();
-}
-
-TEST(Tour, LeavesANookOutThatIsNotWorthItsWay) {
-  EXPECT_FALSE(isWorthIt(0.2, -5.0, 5.0));
-  EXPECT_TRUE(isWorthIt(0.2, 4.0, 5.0));    // on the way home
-  EXPECT_TRUE(isWorthIt(0.2, -0.2, 5.0));   // beside it
-  EXPECT_TRUE(isWorthIt(9.0, -50.0, 5.0));  // no nook
-}
-
-TEST(Tour, LeavesNoNookOutWhereTheRobotIsToBeInTheEnd) {
-  Situation now = lineOf({-5.0}, -4.5);
-  now.options[0].behind = 0.01;
-  now.origin = {-40.0, 0.0};
-  EXPECT_FALSE(makeStrategy("tour")->choose(now));
-  now.origin = {-4.5, 0.0};
-  EXPECT_TRUE(makeStrategy("tour")->choose(now));
-}
-
-TEST(Tour, TwoNooksBesideEachOtherAreNooksStill) {
-  Situation now = lineOf({-15.0, -15.3}, 5.0);
-  now.options[0].behind = now.options[1].behind = 0.6;
-  EXPECT_FALSE(makeStrategy("tour")->choose(now));
-  now.options[1].behind = 1.2;
-  EXPECT_TRUE(makeStrategy("tour")->choose(now));
-}
-
-TEST(Tour, SeesWhatIsLargeAlthoughNoWayHomeIsKnown) {
-  Situation now = lineOf({5.0}, 0.0);
-  now.travelHome = [] { return std::vector{std::numeric_limits<double>::infinity()}; };
-  EXPECT_TRUE(makeStrategy("tour")->choose(now));
-}
-
-TEST(Tour, SeesWhatIsLargeBehindAnyNumberOfNooks) {
-  std::vector<double> stops(30);
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    stops[i] = 5.0 + 2.0 * static_cast<double>(i);
-  }
-  Situation now = lineOf(stops, 0.0);
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    now.options[i].behind = 0.05;
-  }
-  EXPECT_TRUE(makeStrategy("tour")->choose(now));
-  now.options.back().behind = 0.05;
-  EXPECT_FALSE(makeStrategy("tour")->choose(now));
 }
 
 TEST(InformationGain, IsTheUnknownAreaInReachThatNoWallHides) {
