@@ -31,7 +31,7 @@ PoseError errorOf(const Pose2& estimate, const Pose2& truth) {
 }
 
 Eigen::Matrix3d informationOf(const ScanPair& pair, const RangeDeviation& deviation) {
-  matching::SurfaceModel model(pair.reference.points);
+  matching::SurfaceModel model({pair.reference});
   const Eigen::Matrix2d rotation = pair.T_reference_scan.rotation();
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector2d& p_scan : pair.scan.points) {

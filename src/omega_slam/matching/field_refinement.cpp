@@ -10,7 +10,8 @@ constexpr double kTolerance = 2.0;      // in standard deviations of a range
 constexpr double kSmallestStep = 3e-4;  // [m], [rad] well below what a laser tells
 constexpr double kCalming = 0.7;        // of steps, once one takes back the last
 
-/// Calls `visit(surface, gap, arm)` for each return that has a partner: see MatchEvidence::add.
+/// Calls `visit(surface, gap, arm, facing)` for each return that has a partner: see
+/// MatchEvidence::add.
 template <class Visitor>
 void forEachPartner(const SurfaceField& field, const std::vector<SurfacePatch>& scan,
                     const Pose2& T_reference_scan, const Visitor& visit) {
@@ -19,8 +20,9 @@ void forEachPartner(const SurfaceField& field, const std::vector<SurfacePatch>& 
   for (const SurfacePatch& patch : scan) {
     const Eigen::Vector2d arm = rotation * patch.hit;
     const Eigen::Vector2d p_reference = arm + translation;
-    if (const auto partner = field.partnerOf(p_reference, rotation * patch.surface.normal)) {
-      visit(partner->surface, p_reference - partner->point, arm);
+    const Eigen::Vector2d facing = rotation * patch.surface.normal;
+    if (const auto partner = field.partnerOf(p_reference, facing)) {
+      visit(partner->surface, p_reference - partner->point, arm, facing);
     }
   }
 }
@@ -52,14 +54,14 @@ Refinement FieldRefinement::refine(const Pose2& start, const Pose2& hold, double
 PointToLineEquations FieldRefinement::linearize(const Pose2& T_reference_scan,
                                                 const DistanceKernel& kernel) const {
   PointToLineEquations equations;
-  forEachPartner(
-      field_, scan_, T_reference_scan,
-      [&](const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm) {
-        // What is neither would tie the scan to where beams happened to fall.
-        if (surface.isLine() || surface.is_spot) {
-          equations.add(surface, gap, arm, kernel);
-        }
-      });
+  forEachPartner(field_, scan_, T_reference_scan,
+                 [&](const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm,
+                     const Eigen::Vector2d& /*facing*/) {
+                   // What is neither would tie the scan to where beams happened to fall.
+                   if (surface.isLine() || surface.is_spot) {
+                     equations.add(surface, gap, arm, kernel);
+                   }
+                 });
   return equations;
 }
 
@@ -67,8 +69,8 @@ MatchEvidence FieldRefinement::evidence(const Pose2& T_reference_scan) const {
   MatchEvidence evidence;
   evidence.points = scan_.size();
   forEachPartner(field_, scan_, T_reference_scan,
-                 [&](const Surface& surface, const Eigen::Vector2d& gap,
-                     const Eigen::Vector2d& arm) { evidence.add(surface, gap, arm); });
+                 [&](const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm,
+                     const Eigen::Vector2d& facing) { evidence.add(surface, gap, arm, facing); });
   return evidence;
 }
 

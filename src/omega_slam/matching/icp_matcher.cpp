@@ -96,11 +96,11 @@ MatchResult IcpMatcher::match(const Reference& reference, const View& scan,
   if (!aligned) {
     return refusal(guess, MatchFailure::kNoOverlap);
   }
-  SurfaceModel model(points);
+  SurfaceModel model(reference);
   const auto finish = [&](const Pose2& start) {
     const Pose2 refined = refinePointToLine(
-        model, scan.points, start, {kRefinements, common_.outlier_distance, common_.range_noise});
-    return judgeMatch(model, scan.points, refined, common_);
+        model, scan, start, {kRefinements, common_.outlier_distance, common_.range_noise});
+    return judgeMatch(model, scan, refined, common_);
   };
   MatchResult result = finish(aligned->T_reference_scan);
   result.converged = aligned->converged;

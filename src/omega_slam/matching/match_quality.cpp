@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "omega_slam/matching/traced_surfaces.h"
+
 namespace omega_slam::matching {
 
 using geometry::Pose2;
@@ -43,19 +45,16 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
 }  // namespace
 
 void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
-                        const Eigen::Vector2d& arm) {
+                        const Eigen::Vector2d& arm, const Eigen::Vector2d& facing) {
   ++partners;
   if (surface.isLine()) {
     // Along a wall the spacing of its points is no error.
     const double distance = surface.normal.dot(gap);
     squared_residuals += distance * distance;
-    const Eigen::Vector3d across = byPose(surface.normal, arm);
-    const Eigen::Vector3d along = byPose({-surface.normal.y(), surface.normal.x()}, arm);
-    hessian += across * across.transpose() - surface.doubt() * along * along.transpose();
   } else {
     squared_residuals += gap.squaredNorm();
-    hessian += poseInformation(surface.certainInformation(), arm);
   }
+  hessian += certainInformation(surface, arm, facing);
 }
 
 void nameOpenDirection(MatchResult& result) {
@@ -85,16 +84,20 @@ MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_referenc
   return result;
 }
 
-MatchResult judgeMatch(SurfaceModel& reference, const Points& scan, const Pose2& T_reference_scan,
+MatchResult judgeMatch(SurfaceModel& reference, const View& scan, const Pose2& T_reference_scan,
                        const MatchConfig& config) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
+  const Eigen::Vector2d eye = T_reference_scan * scan.origin;
+  const std::vector<SurfacePatch> patches = tracePatches(scan);
   MatchEvidence evidence;
-  evidence.points = scan.size();
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const Eigen::Vector2d arm = rotation * scan[i];
+  evidence.points = scan.points.size();
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Eigen::Vector2d arm = rotation * scan.points[i];
     const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
-    if (const auto* partner = reference.partnerOf(i, p_reference, config.outlier_distance)) {
-      evidence.add(partner->surface, p_reference - partner->point, arm);
+    const auto* partner = reference.partnerOf(i, p_reference, config.outlier_distance);
+    if (partner != nullptr && partner->isSeenFrom(eye)) {
+      evidence.add(partner->surface, p_reference - partner->point, arm,
+                   rotation * patches[i].surface.normal);
     }
   }
   return judgeEvidence(evidence, T_reference_scan, config);

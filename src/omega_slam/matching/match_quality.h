@@ -24,7 +24,9 @@ struct MatchEvidence {
   /// @param surface of the reference around the partner
   /// @param gap [m] from the partner to the point
   /// @param arm [m] from the scan's origin to the point; both in the reference's axes
-  void add(const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm);
+  /// @param facing normal of the surface that the point is on; zero where it is not known
+  void add(const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm,
+           const Eigen::Vector2d& facing = Eigen::Vector2d::Zero());
 };
 
 /// Overlap, residual, confidence and covariance from what the points say: see judgeMatch.
@@ -38,11 +40,12 @@ void nameOpenDirection(MatchResult& result);
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the
-/// line through that point's neighbours. The covariance is the inverse of the point-to-line
+/// line through that point's neighbours. One that shows the scan its other side is none. The
+/// covariance is the inverse of the point-to-line
 /// Hessian, times sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
 /// covariance", ICRA), simplified: the error of every distance is taken as independent, with twice
 /// the variance of a range or of the residual, whichever is larger, since both scans are noisy.
-/// Only the part of the Hessian to build on counts: see Surface::certainInformation. A weak prior
+/// Only the part of the Hessian to build on counts: see certainInformation. A weak prior
 /// keeps the covariance finite along directions that nothing determines, where it is large. Points
 /// on one wall err together, so a floor is added that no number of points gets below.
 ///
@@ -53,7 +56,7 @@ void nameOpenDirection(MatchResult& result);
 ///
 /// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate,
 /// and names the open direction, where that holds.
-[[nodiscard]] MatchResult judgeMatch(SurfaceModel& reference, const Points& scan,
+[[nodiscard]] MatchResult judgeMatch(SurfaceModel& reference, const View& scan,
                                      const geometry::Pose2& T_reference_scan,
                                      const MatchConfig& config);
 

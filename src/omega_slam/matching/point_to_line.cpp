@@ -45,11 +45,13 @@ PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,
                                const Pose2& T_reference_scan, const DistanceKernel& kernel) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
   const Eigen::Vector2d translation = T_reference_scan.translation();
+  const Eigen::Vector2d eye = T_reference_scan * scan.view.origin;
   PointToLineEquations equations;
-  for (std::size_t i = 0; i < scan.all.size(); i += scan.stride) {
-    const Eigen::Vector2d arm = rotation * scan.all[i];
+  for (std::size_t i = 0; i < scan.view.points.size(); i += scan.stride) {
+    const Eigen::Vector2d arm = rotation * scan.view.points[i];
     const Eigen::Vector2d p_reference = arm + translation;
-    if (const auto* partner = reference.partnerOf(i, p_reference, kernel.reach)) {
+    const auto* partner = reference.partnerOf(i, p_reference, kernel.reach);
+    if (partner != nullptr && partner->isSeenFrom(eye)) {
       equations.add(partner->surface, p_reference - partner->point, arm, kernel);
     }
   }
@@ -74,7 +76,7 @@ Eigen::Vector3d stepToLeastSquares(const PointToLineEquations& equations, const 
   return step.allFinite() ? step : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-Pose2 refinePointToLine(SurfaceModel& reference, const Points& scan, const Pose2& guess,
+Pose2 refinePointToLine(SurfaceModel& reference, const View& scan, const Pose2& guess,
                         const PointToLineConfig& config) {
   const DistanceKernel kernel{config.reach, config.range_noise, kTolerance * config.range_noise};
   Pose2 pose = guess;

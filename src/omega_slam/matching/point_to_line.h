@@ -42,21 +42,22 @@ struct PointToLineEquations {
 /// Every `stride`-th of a scan's points, by the numbers that they have among all: what a
 /// SurfaceModel has found for them still helps when all are asked for.
 struct SomePoints {
-  const Points& all;
+  const View& view;
   std::size_t stride{1};
 };
 
 /// Enough where a few hundred more of the same walls say the same.
 /// @param most > 0
-[[nodiscard]] inline SomePoints someOf(const Points& points, std::size_t most) {
-  return {points, (points.size() + most - 1) / most};
+[[nodiscard]] inline SomePoints someOf(const View& view, std::size_t most) {
+  return {view, (view.points.size() + most - 1) / most};
 }
 
-/// The equations of those points that have a partner within reach. O(points).
+/// The equations of those points that have a partner within reach, whose side the scan could see.
+/// O(points).
 [[nodiscard]] PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,
                                              const geometry::Pose2& T_reference_scan,
                                              const DistanceKernel& kernel);
-[[nodiscard]] inline PointToLineEquations linearize(SurfaceModel& reference, const Points& scan,
+[[nodiscard]] inline PointToLineEquations linearize(SurfaceModel& reference, const View& scan,
                                                     const geometry::Pose2& T_reference_scan,
                                                     const DistanceKernel& kernel) {
   return linearize(reference, SomePoints{scan}, T_reference_scan, kernel);
@@ -88,7 +89,7 @@ struct PointToLineConfig {
 /// it was.
 ///
 /// @return `T_reference_scan`; the guess where nothing is within reach
-[[nodiscard]] geometry::Pose2 refinePointToLine(SurfaceModel& reference, const Points& scan,
+[[nodiscard]] geometry::Pose2 refinePointToLine(SurfaceModel& reference, const View& scan,
                                                 const geometry::Pose2& guess,
                                                 const PointToLineConfig& config);
 

@@ -100,14 +100,13 @@ MatchResult PointToLineMatcher::match(const Reference& reference, const View& sc
   if (auto refused = refuseHopeless(reference, scan, guess, common_)) {
     return *refused;
   }
-  const Points points = allPoints(reference);
-  SurfaceModel model(points);
+  SurfaceModel model(reference);
   Descent descent(config_, common_, model, guess);
-  const SomePoints few = someOf(scan.points, kFewPoints);
+  const SomePoints few = someOf(scan, kFewPoints);
   descent.approach(few);
   (void)descent.settle(few, kRoughStep);
-  const bool converged = descent.settle({scan.points}, kSmallestStep);
-  MatchResult result = judgeMatch(model, scan.points, descent.pose(), common_);
+  const bool converged = descent.settle({scan}, kSmallestStep);
+  MatchResult result = judgeMatch(model, scan, descent.pose(), common_);
   result.converged = converged;
   if (!converged && result.failure == MatchFailure::kNone) {
     result.failure = MatchFailure::kNotConverged;

@@ -17,7 +17,7 @@ constexpr double kMostDoubt = 1.0;       // [m], [rad]
 
 /// What the surfaces disagree with a pose about: a search may end where the rays' error is least
 /// nearby, but not where walls lie on walls.
-Eigen::Matrix3d doubtAbout(const Pose2& pose, SurfaceModel& reference, const Points& scan,
+Eigen::Matrix3d doubtAbout(const Pose2& pose, SurfaceModel& reference, const View& scan,
                            const MatchConfig& config) {
   const auto equations = linearize(reference, scan, pose, {kReach, config.range_noise, kTolerance});
   const Eigen::Vector3d step =
@@ -51,10 +51,9 @@ MatchResult RayLandscape::judge(const Pose2& T_reference_scan, bool converged,
   if (!T_reference_scan.isFinite()) {  // of a guess near the largest number
     return refusal({}, MatchFailure::kNoOverlap);
   }
-  const Points points = allPoints(reference_views_);
-  SurfaceModel model(points);
-  MatchResult result = judgeMatch(model, scan_view_.points, T_reference_scan, config);
-  result.covariance += doubtAbout(T_reference_scan, model, scan_view_.points, config);
+  SurfaceModel model(reference_views_);
+  MatchResult result = judgeMatch(model, scan_view_, T_reference_scan, config);
+  result.covariance += doubtAbout(T_reference_scan, model, scan_view_, config);
   result.converged = converged;
   if (!converged && result.failure == MatchFailure::kNone) {
     result.failure = MatchFailure::kNotConverged;

@@ -12,6 +12,7 @@ constexpr double kLineFlatness = 0.25;  // minor over major axis; above, it is n
 /// [m] by which a search goes farther than it has to, so that it need not be repeated as soon.
 constexpr double kBeyond = 0.1;
 constexpr double kRounding = 1e-9;    // [m]
+constexpr double kEdgeOn = 0.1;       // sine of the angle up to which a surface is seen edge-on
 constexpr double kSpotRadius = 0.05;  // [m] root mean square of what is small
 constexpr double kLeastNoise = 0.01;  // [m] of a range: three points may look straighter
 // Far away the neighbours of a beam lie beyond the radius above. With the point between them they
@@ -76,8 +77,20 @@ Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count) {
   return surface;
 }
 
-SurfaceModel::SurfaceModel(const Points& reference)
-    : reference_(reference), index_(reference), partners_(reference.size()) {}
+bool SurfaceModel::Partner::isSeenFrom(const Eigen::Vector2d& eye) const {
+  const Eigen::Vector2d way = eye - point;
+  const double before = surface.normal.dot(way);
+  return before >= 0.0 || before * before <= kEdgeOn * kEdgeOn * way.squaredNorm();
+}
+
+SurfaceModel::SurfaceModel(const Reference& reference)
+    : reference_(allPoints(reference)), index_(reference_), partners_(reference_.size()) {
+  std::size_t end = 0;
+  for (const View& view : reference) {
+    end += view.points.size();
+    eyes_.push_back({end, view.origin});
+  }
+}
 
 std::optional<SurfaceModel::Partner> SurfaceModel::partnerOf(const Eigen::Vector2d& p_reference,
                                                              double reach) {
@@ -129,8 +142,18 @@ const SurfaceModel::Partner* SurfaceModel::surfaceAt(std::size_t index) {
   std::optional<Partner>& partner = partners_[index];
   if (!partner) {
     partner = fitAround(index);
+    turnToEye(index, *partner);
   }
   return &*partner;
+}
+
+void SurfaceModel::turnToEye(std::size_t index, Partner& partner) const {
+  const auto eye = std::upper_bound(eyes_.begin(), eyes_.end(), index,
+                                    [](std::size_t i, const Eye& e) { return i < e.end; });
+  Eigen::Vector2d& normal = partner.surface.normal;
+  if (normal.dot(eye->place - partner.point) < 0.0) {
+    normal = -normal;
+  }
 }
 
 SurfaceModel::Partner SurfaceModel::fitAround(std::size_t index) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,9 +13,11 @@ namespace omega_slam::matching {
 
 /// What the points around a place form: a line, a spot, or nothing in particular.
 struct Surface {
-  Eigen::Vector2d normal{0.0, 0.0};  ///< of the line, unit; zero where there is none
-  double slope_variance{0.0};        ///< of the normal's direction [rad^2]
-  bool is_spot{false};               ///< no line, but points close together, as of a table's leg
+  /// Of the line, unit; zero where there is none. Where it is known from where the surface was
+  /// seen, it points to that side.
+  Eigen::Vector2d normal{0.0, 0.0};
+  double slope_variance{0.0};  ///< of the normal's direction [rad^2]
+  bool is_spot{false};         ///< no line, but points close together, as of a table's leg
 
   [[nodiscard]] bool isLine() const { return normal.squaredNorm() > 0.0; }
 
@@ -28,20 +31,15 @@ struct Surface {
     return 0.5 * Eigen::Matrix2d::Identity();
   }
 
-  /// The part of it to build on. Noise tilts the normals, and what is tilted pretends to know
-  /// something along the wall, which is taken off: see doubt(). Where points form neither a line
-  /// nor a spot, as at the end of a wall that the laser sees no farther, nothing is left.
-  [[nodiscard]] Eigen::Matrix2d certainInformation() const {
-    if (isLine()) {
-      const Eigen::Vector2d tangent(-normal.y(), normal.x());
-      return information() - doubt() * tangent * tangent.transpose();
-    }
-    return is_spot ? information() : Eigen::Matrix2d::Zero();
+  /// What a line pretends to know along itself. Noise tilts the normals: s^2 t t^T on average, with
+  /// the tangent t and the slope's variance s^2; three times that, since neighbours tilt together.
+  /// Where the point's own surface is known and lies otherwise, as a bare wall does on a line that
+  /// was drawn across a step, the line is off by at least that.
+  /// @param facing normal of the point's own surface; zero where it is not known
+  [[nodiscard]] double doubt(const Eigen::Vector2d& facing = Eigen::Vector2d::Zero()) const {
+    const double sine = normal.x() * facing.y() - normal.y() * facing.x();
+    return 3.0 * std::max(slope_variance, sine * sine);
   }
-
-  /// What a line pretends to know along itself: s^2 t t^T on average, with the tangent t and the
-  /// slope's variance s^2; three times that, since neighbours tilt together.
-  [[nodiscard]] double doubt() const { return 3.0 * slope_variance; }
 };
 
 /// How far along a direction a point of the scan moves with the scan's pose (x, y, theta), to first
@@ -67,6 +65,23 @@ struct Surface {
   return on_pose;
 }
 
+/// The part of what a point's partner says of the pose to build on: what a line pretends to know
+/// along itself is taken off. Where points form neither a line nor a spot, as at the end of a wall
+/// that the laser sees no farther, nothing is left.
+/// @param arm [m] from the scan's origin to the point
+/// @param facing normal of the point's own surface; zero where it is not known
+[[nodiscard]] inline Eigen::Matrix3d certainInformation(
+    const Surface& surface, const Eigen::Vector2d& arm,
+    const Eigen::Vector2d& facing = Eigen::Vector2d::Zero()) {
+  if (surface.isLine()) {
+    const Eigen::Vector2d tangent(-surface.normal.y(), surface.normal.x());
+    const Eigen::Vector3d across = byPose(surface.normal, arm);
+    const Eigen::Vector3d along = byPose(tangent, arm);
+    return across * across.transpose() - surface.doubt(facing) * along * along.transpose();
+  }
+  return surface.is_spot ? poseInformation(surface.information(), arm) : Eigen::Matrix3d::Zero();
+}
+
 /// The line that fits points best, from what they sum up to: total least squares. None for fewer
 /// than three points, or a heap, which is a spot if it is small.
 /// @param scatter [m^2] sum of d d^T for the points' offsets d from their mean
@@ -77,16 +92,23 @@ struct Surface {
 /// points without order, the line through all points within 0.3 m, or through the two neighbours
 /// in the sweep where they lie straight. A surface is fitted when it is first asked for.
 ///
-/// The points must outlive the model. Not thread-safe.
+/// Not thread-safe.
 class SurfaceModel {
  public:
-  /// @param reference views one after the other, each in the order of its sweep; finite
-  explicit SurfaceModel(const Points& reference);
+  /// @param reference views of finite points, each in the order of its sweep
+  explicit SurfaceModel(const Reference& reference);
+  SurfaceModel(const SurfaceModel&) = delete;  // the index is of this one's points
+  SurfaceModel& operator=(const SurfaceModel&) = delete;
 
   struct Partner {
     /// [m] on the line, where there is one; else the reference's point
     Eigen::Vector2d point{0.0, 0.0};
     Surface surface;
+
+    /// Whether it could be the side of the surface that is seen from there, however wide the view:
+    /// a thin wall has another one, which is not where this one is. Edge-on nobody can tell.
+    /// @param eye [m] in the reference's frame
+    [[nodiscard]] bool isSeenFrom(const Eigen::Vector2d& eye) const;
   };
 
   /// The surface of the reference point nearest to a place, none if it is farther than `reach` [m].
@@ -111,12 +133,20 @@ class SurfaceModel {
 
   void search(Finding& finding, const Eigen::Vector2d& p_reference, double reach) const;
   [[nodiscard]] const Partner* surfaceAt(std::size_t index);
+  void turnToEye(std::size_t index, Partner& partner) const;
   [[nodiscard]] Partner fitAround(std::size_t index);
   [[nodiscard]] Partner fitSweep(std::size_t index) const;
   [[nodiscard]] Partner fitNeighbourhood(std::size_t index);
   [[nodiscard]] Partner fitSparse(std::size_t index) const;
 
-  const Points& reference_;
+  /// The views follow each other in the points.
+  struct Eye {
+    std::size_t end{0};  ///< index after its last point
+    Eigen::Vector2d place{0.0, 0.0};
+  };
+
+  Points reference_;
+  std::vector<Eye> eyes_;
   PointIndex index_;
   std::size_t latest_{0};          // of the nearest points: where the next one is likely to be
   std::vector<Finding> findings_;  // by the points' numbers

@@ -54,13 +54,13 @@ TEST(SurfaceModelLaws, PointsAskedForAgainHaveThePartnersOfNewOnes) {
     std::mt19937_64 random(seed);
     const Points reference = smallScene(random);
     const Points scan = smallScene(random);
-    SurfaceModel remembering(reference);
+    SurfaceModel remembering({View{reference}});
     int partners = 0;
     for (int step = 0; step < 60; ++step) {
       const double size = step % 3 == 0 ? 0.3 : 0.01;  // now and then far, mostly near by
       const double reach = step % 5 == 0 ? 0.4 : 0.1;
       const Pose2 pose = test::randomPose(size, size, random);
-      SurfaceModel forgetful(reference);
+      SurfaceModel forgetful({View{reference}});
       for (std::size_t i = 0; i < scan.size(); ++i) {
         const auto* again = remembering.partnerOf(i, pose * scan[i], reach);
         const auto anew = forgetful.partnerOf(pose * scan[i], reach);
@@ -83,10 +83,10 @@ TEST(PointToLineLaws, GradientAgreesWithDifferencesOfTheCost) {
     std::mt19937_64 random(seed);
     const Points reference = smallScene(random);
     const Points scan = smallScene(random);
-    SurfaceModel model(reference);
+    SurfaceModel model({View{reference}});
     for (int i = 0; i < 20; ++i) {
       const Pose2 pose = test::randomPose(0.05, 0.05, random);
-      const PointToLineEquations equations = linearize(model, scan, pose, kernel);
+      const PointToLineEquations equations = linearize(model, View{scan}, pose, kernel);
       for (int k = 0; k < 3; ++k) {
         constexpr double kDelta = 1e-7;
         const Eigen::Vector3d delta = kDelta * Eigen::Vector3d::Unit(k);
@@ -105,7 +105,7 @@ TEST(PointToLineLaws, MatrixAgreesWithDifferencesOfTheDistances) {
   std::mt19937_64 random(5);
   const Points reference = smallScene(random);
   const Points scan = smallScene(random);
-  SurfaceModel model(reference);
+  SurfaceModel model({View{reference}});
   const Pose2 pose{0.02, -0.03, 0.04};
   Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
   for (const auto& p_scan : scan) {
@@ -122,7 +122,7 @@ TEST(PointToLineLaws, MatrixAgreesWithDifferencesOfTheDistances) {
     expected += slopes.transpose() * partner->surface.information() * slopes;
   }
   expected /= kernel.deviation * kernel.deviation;
-  const Eigen::Matrix3d matrix = linearize(model, scan, pose, kernel).matrix;
+  const Eigen::Matrix3d matrix = linearize(model, View{scan}, pose, kernel).matrix;
   EXPECT_LT((matrix - expected).norm(), 1e-6 * expected.norm());
 }
 
@@ -131,15 +131,15 @@ TEST(PointToLineLaws, SomeOfThePointsSayWhatTheySayAlone) {
   for (const auto seed : test::seeds()) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    const Points reference = smallScene(random);
-    const Points scan = smallScene(random);
+    const Reference reference{View{smallScene(random)}};
+    const View scan{smallScene(random)};
     const SomePoints some = someOf(scan, 20);
-    Points alone;
-    for (std::size_t i = 0; i < scan.size(); i += some.stride) {
-      alone.push_back(scan[i]);
+    View alone;
+    for (std::size_t i = 0; i < scan.points.size(); i += some.stride) {
+      alone.points.push_back(scan.points[i]);
     }
-    EXPECT_LE(alone.size(), 20U);
-    EXPECT_GT(alone.size(), 10U);
+    EXPECT_LE(alone.points.size(), 20U);
+    EXPECT_GT(alone.points.size(), 10U);
     SurfaceModel model(reference);
     SurfaceModel another(reference);
     for (int i = 0; i < 5; ++i) {
@@ -181,9 +181,11 @@ TEST(PointToLineLaws, ReachesTheTruthThatPointsAloneMiss) {
       for (const auto& p : reference) {
         scan.push_back(truth.inverse() * p);
       }
-      SurfaceModel model(reference);
+      SurfaceModel model({View{reference}});
+      const Eigen::Vector2d origin = truth.inverse().translation();
       const Pose2 guess = truth * test::randomPose(0.03, 0.015, random);
-      const auto gap = test::gapBetween(refinePointToLine(model, scan, guess, {}), truth);
+      const auto gap =
+          test::gapBetween(refinePointToLine(model, View{scan, origin}, guess, {}), truth);
       EXPECT_LT(gap.translation, 2e-3) << i;
       EXPECT_LT(gap.rotation, 1e-3) << i;
     }
@@ -193,22 +195,34 @@ TEST(PointToLineLaws, ReachesTheTruthThatPointsAloneMiss) {
 TEST(PointToLineLaws, CorridorKeepsTheGuessAlongIt) {
   std::mt19937_64 random(3);
   const Points reference = test::measurePoints(test::endlessCorridor(), {}, 360, 0.0, random);
-  SurfaceModel model(reference);
-  const Pose2 found = refinePointToLine(model, reference, {0.07, 0.05, 0.01}, {});
+  SurfaceModel model({View{reference}});
+  const Pose2 found = refinePointToLine(model, View{reference}, {0.07, 0.05, 0.01}, {});
   EXPECT_NEAR(found.x, 0.07, 0.01);
   EXPECT_NEAR(found.y, 0.0, 1e-3);
   EXPECT_NEAR(found.theta, 0.0, 1e-3);
 }
 
+TEST(PointToLineLaws, OtherSideOfAThinWallDoesNotPull) {
+  Points wall;
+  for (int i = 0; i < 100; ++i) {
+    wall.emplace_back(-1.0 + 0.02 * i, 2.0);
+  }
+  SurfaceModel model({View{wall}});
+  const Pose2 guess{0.0, 0.05, 0.0};
+  const auto seen_from = [&](double y) { return View{wall, {0.0, y}}; };
+  EXPECT_LT(refinePointToLine(model, seen_from(0.0), guess, {}).y, 0.001);
+  EXPECT_EQ(refinePointToLine(model, seen_from(4.0), guess, {}).y, guess.y);
+}
+
 TEST(PointToLineLaws, WithNothingInReachTheGuessStands) {
   std::mt19937_64 random(3);
   const Points room = test::measurePoints(test::furnishedRoom(), {}, 90, 0.0, random);
-  SurfaceModel model(room);
+  SurfaceModel model({View{room}});
   const Pose2 far{30.0, 1.0, 0.5};
-  EXPECT_LT(test::gapBetween(refinePointToLine(model, room, far, {}), far).translation, 1e-9);
+  EXPECT_LT(test::gapBetween(refinePointToLine(model, View{room}, far, {}), far).translation, 1e-9);
   const Points none;
-  SurfaceModel empty(none);
-  EXPECT_LT(test::gapBetween(refinePointToLine(empty, room, far, {}), far).translation, 1e-9);
+  SurfaceModel empty({View{none}});
+  EXPECT_LT(test::gapBetween(refinePointToLine(empty, View{room}, far, {}), far).translation, 1e-9);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 
 MatchResult judge(const Points& reference, const Points& scan,
                   const geometry::Pose2& T_reference_scan) {
-  SurfaceModel model(reference);
-  return judgeMatch(model, scan, T_reference_scan, {});
+  SurfaceModel model({View{reference}});
+  return judgeMatch(model, View{scan}, T_reference_scan, {});
 }
 
 TEST(MatchQuality, PerfectMatchIsConfidentAndTight) {
@@ -78,6 +78,18 @@ TEST(MatchQuality, RoundRoomLeavesItsTurnOpen) {
   EXPECT_GT(std::abs(result.open_direction->z()), 0.99);
   EXPECT_GT(std::sqrt(result.covariance(2, 2)), 0.3);
   EXPECT_LT(std::sqrt(result.covariance(0, 0)), 0.02);
+}
+
+TEST(MatchQuality, OtherSideOfAThinWallIsNoPartner) {
+  Points wall;
+  for (int i = 0; i < 100; ++i) {
+    wall.emplace_back(-1.0 + 0.02 * i, 2.0);
+  }
+  SurfaceModel model({View{wall}});
+  const View same_side{wall, {0.5, 0.0}};
+  const View other_side{wall, {0.5, 4.0}};
+  EXPECT_DOUBLE_EQ(judgeMatch(model, same_side, {}, {}).overlap, 1.0);
+  EXPECT_EQ(judgeMatch(model, other_side, {}, {}).failure, MatchFailure::kNoOverlap);
 }
 
 TEST(MatchQuality, EmptyScanHasNoOverlap) {

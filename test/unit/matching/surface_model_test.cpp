@@ -20,7 +20,7 @@ Points wall(double first, double y, double spacing, int count) {
 
 SurfaceModel::Partner partnerAt(const Points& points, const Eigen::Vector2d& place,
                                 double reach = 0.1) {
-  SurfaceModel model(points);
+  SurfaceModel model({View{points}});
   const auto partner = model.partnerOf(place, reach);
   EXPECT_TRUE(partner.has_value());
   return partner.value_or(SurfaceModel::Partner{});
@@ -43,9 +43,35 @@ TEST(SurfaceModelTest, WallUprightIsALine) {
 
 TEST(SurfaceModelTest, OutOfReachThereIsNoPartner) {
   const Points points = wall(-1.0, 2.0, 0.02, 100);
-  SurfaceModel model(points);
+  SurfaceModel model({View{points}});
   EXPECT_FALSE(model.partnerOf({0.0, 2.2}, 0.1));
   EXPECT_TRUE(model.partnerOf({0.0, 2.2}, 0.21));
+}
+
+TEST(SurfaceModelTest, NormalPointsToWhereTheWallWasSeenFrom) {
+  const Points points = wall(-1.0, 2.0, 0.02, 100);
+  for (const double eye : {-1.0, 5.0}) {
+    SurfaceModel model({View{points, {0.0, eye}}});
+    const auto partner = model.partnerOf({0.3, 2.05}, 0.1);
+    ASSERT_TRUE(partner);
+    EXPECT_NEAR(partner->surface.normal.y(), eye < 2.0 ? -1.0 : 1.0, 1e-12);
+    EXPECT_TRUE(partner->isSeenFrom({-3.0, eye}));
+    EXPECT_FALSE(partner->isSeenFrom({-3.0, 4.0 - eye})) << "from behind the wall";
+    EXPECT_TRUE(partner->isSeenFrom({-3.0, 2.0})) << "edge-on nobody can tell";
+  }
+}
+
+TEST(SurfaceModelTest, EachViewHasAnEyeOfItsOwn) {
+  SurfaceModel model({View{wall(-1.0, 2.0, 0.02, 50), {0.0, 0.0}}, View{},
+                      View{wall(-1.0, 2.2, 0.02, 50), {0.0, 5.0}}});
+  EXPECT_LT(model.partnerOf({0.0, 2.0}, 0.1)->surface.normal.y(), 0.0);
+  EXPECT_GT(model.partnerOf({0.0, 2.2}, 0.1)->surface.normal.y(), 0.0);
+}
+
+TEST(SurfaceModelTest, SpotsAreSeenFromAllAround) {
+  const auto partner = partnerAt(Points(10, {1.0, 1.0}), {1.0, 1.0});
+  EXPECT_TRUE(partner.isSeenFrom({5.0, 5.0}));
+  EXPECT_TRUE(partner.isSeenFrom({-5.0, 0.0}));
 }
 
 TEST(SurfaceModelTest, SlopeVarianceIsThatOfManyFits) {
@@ -82,7 +108,7 @@ TEST(SurfaceModelTest, JumpOfRangeEndsTheSurface) {
 TEST(SurfaceModelTest, OrderMayBeMissing) {
   Points points = wall(-1.0, 2.0, 0.05, 41);
   std::shuffle(points.begin(), points.end(), std::mt19937_64(3));
-  SurfaceModel model(points);
+  SurfaceModel model({View{points}});
   int lines = 0;
   for (const auto& point : points) {
     lines += model.partnerOf(point, 0.1)->surface.isLine() ? 1 : 0;
@@ -133,17 +159,30 @@ TEST(SurfaceInformation, LineIsFreeAlongItself) {
   const Eigen::Vector2d tangent(-0.8, 0.6);
   EXPECT_NEAR(line.normal.dot(line.information() * line.normal), 1.0, 1e-12);
   EXPECT_NEAR((line.information() * tangent).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(line.normal.dot(line.certainInformation() * line.normal), 1.0, 1e-12);
-  EXPECT_NEAR(tangent.dot(line.certainInformation() * tangent), -0.03, 1e-12);
+  // Of a pure shift: certain across, and along less than nothing, by three times the variance.
+  const Eigen::Matrix2d certain = certainInformation(line, {0.0, 0.0}).topLeftCorner<2, 2>();
+  EXPECT_NEAR(line.normal.dot(certain * line.normal), 1.0, 1e-12);
+  EXPECT_NEAR(tangent.dot(certain * tangent), -0.03, 1e-12);
+}
+
+TEST(SurfaceInformation, LineAcrossAStepKnowsNothingAlongABareWall) {
+  const Surface tilted{{std::sin(0.1), std::cos(0.1)}, 1e-4, false};
+  const auto along = [&](const Eigen::Vector2d& facing) {
+    return certainInformation(tilted, {0.0, 0.0}, facing)(0, 0);
+  };
+  EXPECT_GT(along({0.0, 0.0}), 0.009);
+  EXPECT_GT(along(tilted.normal), 0.009) << "the same step";
+  EXPECT_LT(along({0.0, 1.0}), 0.0) << "a bare wall";
 }
 
 TEST(SurfaceInformation, SpotCountsHalfAndRaggedPointsAreNotToBeBuiltOn) {
   const Surface spot{{0.0, 0.0}, 0.0, true};
   EXPECT_TRUE(spot.information().isApprox(0.5 * Eigen::Matrix2d::Identity()));
-  EXPECT_TRUE(spot.certainInformation().isApprox(spot.information()));
+  const Eigen::Vector2d arm(0.3, -0.2);
+  EXPECT_TRUE(certainInformation(spot, arm).isApprox(poseInformation(spot.information(), arm)));
   const Surface ragged;
   EXPECT_TRUE(ragged.information().isApprox(spot.information()));
-  EXPECT_TRUE(ragged.certainInformation().isZero());
+  EXPECT_TRUE(certainInformation(ragged, arm).isZero());
 }
 
 }  // namespace
