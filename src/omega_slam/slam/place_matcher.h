@@ -12,7 +12,7 @@
 namespace omega_slam::slam {
 
 struct PlaceMatcherConfig {
-  double min_confidence{0.8};      ///< [0, 1]
+  double min_confidence{0.7};      ///< [0, 1]
   double max_contradiction{0.15};  ///< [0, 1] of points, those that were seen through
   matching::MatchConfig match;
 
