@@ -16,7 +16,7 @@ namespace omega_slam::slam {
 struct SurroundingsConfig {
   double radius{10.0};         ///< [m] keyframes taken so near to the newest are drawn
   double max_deviation{0.15};  ///< [m] and known so well from it; [rad] too
-  int max_keyframes{40};       ///< so many of them at most, the nearest
+  int max_keyframes{20};       ///< so many of them at most, the nearest
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
