@@ -16,8 +16,7 @@ struct CorrelativeMatcherConfig {
   /// [0, 1] Of a peak; where none reaches it, there is no match. More makes hopeless searches
   /// short.
   double least_score{0.0};
-  double least_rival{
-      0.0};  ///< [0, 1] likewise of further peaks, as a share of the best one's score
+  double least_rival{0.0};  ///< [0, 1] likewise of further peaks, of the best one's score
 
   [[nodiscard]] std::vector<std::string> validate() const;
 };
