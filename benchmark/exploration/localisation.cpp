@@ -1,6 +1,6 @@
 #include "exploration/localisation.h"
 
-#include <cmath>
+#include <utility>
 
 #include "omega_slam/sensing/scan_intake.h"
 #include "omega_slam/slam/pipeline.h"
@@ -36,7 +36,7 @@ class BySlam : public Localisation {
 class ByTruth : public Localisation {
  public:
   explicit ByTruth(const config::SlamConfig& config)
-      : intake_(config.scan_matcher.intake), due_(config.scan_matcher.front_end) {}
+      : intake_(config.scan_matcher.intake), front_end_(config.scan_matcher.front_end) {}
 
   void take(const TakenScan& taken) override {
     auto sweep = intake_.process(*taken.scan, taken.mount, taken.motion_during_sweep).sweep;
@@ -63,15 +63,12 @@ class ByTruth : public Localisation {
 
  private:
   [[nodiscard]] bool isDue(const Pose2& T_map_base, double stamp) const {
-    const Pose2 motion = relativePose(poses_.back(), T_map_base);
-    const double waited = stamp - keyframes_.back()->sweep.stamp;
-    return motion.translation().norm() >= due_.keyframe_translation ||
-           std::abs(motion.theta) >= due_.keyframe_rotation ||
-           (due_.keyframe_time > 0.0 && waited >= due_.keyframe_time);
+    return front_end_.isKeyframeDue(relativePose(poses_.back(), T_map_base),
+                                    stamp - keyframes_.back()->sweep.stamp);
   }
 
   sensing::ScanIntake intake_;
-  slam::FrontEndConfig due_;  ///< when a keyframe is
+  slam::FrontEndConfig front_end_;  ///< says when a keyframe is due
   std::vector<slam::KeyframePtr> keyframes_;
   std::vector<Pose2> poses_;
   Pose2 T_world_map_;

@@ -71,6 +71,12 @@ std::vector<std::string> FrontEndConfig::validate() const {
   return sentences;
 }
 
+bool FrontEndConfig::isKeyframeDue(const Pose2& motion, double seconds) const {
+  return std::hypot(motion.x, motion.y) >= keyframe_translation ||
+         std::abs(motion.theta) >= keyframe_rotation ||
+         (keyframe_time > 0.0 && seconds >= keyframe_time);
+}
+
 FrontEnd::FrontEnd(const FrontEndConfig& config)
     : config_((geometry::throwIfAny(config.validate()), config)),
       tracker_(config.matching, config.min_confidence, config.places),
@@ -106,7 +112,7 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
   result.belief = beliefInMap();
   if (!tracked.is_contradicted && !judge_.isLost()) {
     const double seconds = sweep.stamp - surroundings_.keyframes().back()->sweep.stamp;
-    if (isKeyframeDue(result.T_keyframe_base, seconds)) {
+    if (config_.isKeyframeDue(result.T_keyframe_base, seconds)) {
       makeKeyframe(sweep, prediction, tracked, result);
     } else if (tracked.is_trusted) {
       surroundings_.addGlance(view, belief_.pose);
@@ -287,11 +293,5 @@ void FrontEnd::believe(const graph::PoseGraph& graph) {
 }
 
 void FrontEnd::reset() { *this = FrontEnd(config_); }
-
-bool FrontEnd::isKeyframeDue(const Pose2& motion, double seconds) const {
-  return std::hypot(motion.x, motion.y) >= config_.keyframe_translation ||
-         std::abs(motion.theta) >= config_.keyframe_rotation ||
-         (config_.keyframe_time > 0.0 && seconds >= config_.keyframe_time);
-}
 
 }  // namespace omega_slam::slam

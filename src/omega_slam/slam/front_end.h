@@ -31,6 +31,10 @@ struct FrontEndConfig {
   PlaceMatcherConfig places;  ///< that a lost robot may be at
 
   [[nodiscard]] std::vector<std::string> validate() const;
+
+  /// @param motion since the last keyframe
+  /// @param seconds since then
+  [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
 };
 
 /// What one sweep has led to.
@@ -89,7 +93,6 @@ class FrontEnd {
   [[nodiscard]] graph::Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
                                                      const Eigen::Matrix3d& covariance_in_odom,
                                                      const TrackedScan& tracked) const;
-  [[nodiscard]] bool isKeyframeDue(const geometry::Pose2& motion, double seconds) const;
   [[nodiscard]] Belief beliefInMap() const;
 
   FrontEndConfig config_;
