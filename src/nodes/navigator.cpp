@@ -40,20 +40,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-navigation::Footprint footprintOf(const NavigatorNodeConfig& config, const ros::NodeHandle& nh) {
-  if (config.radius > 0.0) {
-    return {config.radius, config.radius};
-  }
-  std::string urdf;
-  if (!nh.getParam(config.description, urdf)) {
-    throw config::ConfigurationError(
-        "navigator/radius is 0, which asks for the robot's description, but there is no parameter "
-        "'" +
-        config.description + "'.");
-  }
-  return navigation::footprintFromUrdf(urdf, config.base_frame);
-}
-
 /// Stands where move_base stands: goals in, velocities out. All callbacks run in one thread, which
 /// owns everything; a plan holds it up for some ten milliseconds.
 class NavigatorNode {

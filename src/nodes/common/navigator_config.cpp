@@ -79,4 +79,18 @@ void read(config::ParameterReader& reader, NavigatorNodeConfig& config) {
   reader.faults(navigator.validate());
 }
 
+navigation::Footprint footprintOf(const NavigatorNodeConfig& config, const ros::NodeHandle& nh) {
+  if (config.radius > 0.0) {
+    return {config.radius, config.radius};
+  }
+  std::string urdf;
+  if (!nh.getParam(config.description, urdf)) {
+    throw config::ConfigurationError(
+        "navigator/radius is 0, which asks for the robot's description, but there is no parameter "
+        "'" +
+        config.description + "'.");
+  }
+  return navigation::footprintFromUrdf(urdf, config.base_frame);
+}
+
 }  // namespace omega_slam

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <string>
 
 #include "omega_slam/config/parameter_reader.h"
+#include "omega_slam/navigation/footprint.h"
 #include "omega_slam/navigation/navigator.h"
 #include "omega_slam/sensing/scan_intake.h"
 
@@ -22,5 +25,11 @@ struct NavigatorNodeConfig {
 
 /// Reads all keys and does not call finish().
 void read(config::ParameterReader& reader, NavigatorNodeConfig& config);
+
+/// The robot's, by its radius or by its description.
+/// @throws config::ConfigurationError where it is told neither
+/// @throws std::runtime_error with one sentence where the description is bad
+[[nodiscard]] navigation::Footprint footprintOf(const NavigatorNodeConfig& config,
+                                                const ros::NodeHandle& nh);
 
 }  // namespace omega_slam
