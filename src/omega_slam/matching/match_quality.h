@@ -40,14 +40,15 @@ void nameOpenDirection(MatchResult& result);
 /// Judges a pose that some matcher has found: overlap, residual, confidence and covariance.
 ///
 /// Each scan point's partner is its nearest reference point; the reference's surface there is the
-/// line through that point's neighbours. One that shows the scan its other side is none. The
-/// covariance is the inverse of the point-to-line
-/// Hessian, times sigma^2, after Censi 2007 ("An accurate closed-form estimate of ICP's
-/// covariance", ICRA), simplified: the error of every distance is taken as independent, with twice
-/// the variance of a range or of the residual, whichever is larger, since both scans are noisy.
-/// Only the part of the Hessian to build on counts: see certainInformation. A weak prior
-/// keeps the covariance finite along directions that nothing determines, where it is large. Points
-/// on one wall err together, so a floor is added that no number of points gets below.
+/// line through that point's neighbours. One that shows the scan its other side is none.
+///
+/// The covariance is the inverse of the point-to-line Hessian, times sigma^2, after Censi 2007 ("An
+/// accurate closed-form estimate of ICP's covariance", ICRA), simplified: the error of every
+/// distance is taken as independent, with twice the variance of a range or of the residual,
+/// whichever is larger, since both scans are noisy. Only the part of the Hessian to build on
+/// counts: see certainInformation. A weak prior keeps the covariance finite along directions that
+/// nothing determines, where it is large. Points on one wall err together, so a floor is added that
+/// no number of points gets below.
 ///
 /// A direction of (x, y, theta * 1 m) that is known no better than kOpenDeviation is open; of
 /// several, the one known least is named.
