@@ -50,14 +50,13 @@ Eigen::Matrix3d covarianceOfStep(const PoseGraph& graph, const Constraint& const
 
 PathUncertainty::PathUncertainty(const PoseGraph& graph, NodeId root)
     : graph_(graph),
+      root_(root),
       T_root_graph_(graph.poses[root].inverse()),
-      least_(graph.poses.size(), kInfinity),
-      hops_(graph.poses.size(), -1),
-      arrivals_(graph.poses.size()),
+      arrivals_(graph.poses.size(), Arrival{kInfinity}),
       covariances_(graph.poses.size()),
       is_compounded_(graph.poses.size(), false) {
   listSteps();
-  least_[root] = 0.0;
+  arrivals_[root].cost = 0.0;
   arrivals_[root].before = root;
   open_.emplace(0.0, root);
   covariances_[root].setZero();
@@ -75,30 +74,29 @@ void PathUncertainty::listSteps() {
   std::vector<std::size_t> next(first_steps_.begin(), first_steps_.end() - 1);
   for (std::size_t k = 0; k < graph_.constraints.size(); ++k) {
     const Constraint& constraint = graph_.constraints[k];
-    steps_[next[constraint.from]++] = {constraint.to, k};
-    steps_[next[constraint.to]++] = {constraint.from, k};
+    const auto index = static_cast<std::uint32_t>(k);
+    const double cost = costOf(constraint);
+    steps_[next[constraint.from]++] = {constraint.to, index, cost};
+    steps_[next[constraint.to]++] = {constraint.from, index, cost};
   }
 }
 
 /// Goes on with Dijkstra's search until the surest path to a node is known, or no path is left.
 void PathUncertainty::settle(NodeId node) {
-  while (hops_[node] < 0 && !open_.empty()) {
+  while (arrivals_[node].hops < 0 && !open_.empty()) {
     const auto [cost, at] = open_.top();
     open_.pop();
-    if (hops_[at] >= 0) {
+    Arrival& here = arrivals_[at];
+    if (here.hops >= 0) {
       continue;
     }
-    const NodeId before = arrivals_[at].before;
-    hops_[at] = before == at ? 0 : hops_[before] + 1;
+    here.hops = here.before == at ? 0 : arrivals_[here.before].hops + 1;
     for (std::size_t s = first_steps_[at]; s < first_steps_[at + 1]; ++s) {
       const Step& step = steps_[s];
-      if (hops_[step.node] >= 0) {
-        continue;
-      }
-      const double total = cost + costOf(graph_.constraints[step.constraint]);
-      if (total < least_[step.node]) {
-        least_[step.node] = total;
-        arrivals_[step.node] = {at, step.constraint};
+      const double total = cost + step.cost;
+      Arrival& there = arrivals_[step.node];
+      if (there.hops < 0 && total < there.cost) {
+        there = {total, -1, at, step.constraint};
         open_.emplace(total, step.node);
       }
     }
@@ -107,7 +105,7 @@ void PathUncertainty::settle(NodeId node) {
 
 int PathUncertainty::hops(NodeId node) {
   settle(node);
-  return hops_[node];
+  return arrivals_[node].hops;
 }
 
 const Eigen::Matrix3d& PathUncertainty::covariance(NodeId node) {
@@ -122,11 +120,12 @@ const Eigen::Matrix3d& PathUncertainty::covariance(NodeId node) {
 
 /// @param node that the one before it on its path is known of
 void PathUncertainty::compound(NodeId node) {
-  const auto [before, constraint] = arrivals_[node];
+  const NodeId before = arrivals_[node].before;
+  const Constraint& constraint = graph_.constraints[arrivals_[node].constraint];
   const std::vector<Pose2>& poses = graph_.poses;
   covariances_[node] = geometry::composeCovariance(
       T_root_graph_ * poses[before], covariances_[before], relativePose(poses[before], poses[node]),
-      covarianceOfStep(graph_, graph_.constraints[constraint], before));
+      covarianceOfStep(graph_, constraint, before));
   is_compounded_[node] = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -31,6 +32,7 @@ class PathUncertainty {
   /// @param root a node of it
   PathUncertainty(const PoseGraph& graph, NodeId root);
 
+  [[nodiscard]] NodeId root() const { return root_; }
   [[nodiscard]] bool reaches(NodeId node) { return hops(node) >= 0; }
   /// Constraints on the path; -1 where there is none.
   [[nodiscard]] int hops(NodeId node);
@@ -43,16 +45,19 @@ class PathUncertainty {
   [[nodiscard]] double headingDeviation(NodeId node);
 
  private:
-  /// How a path comes to a node.
+  /// What is known of the surest path to a node.
   struct Arrival {
-    NodeId before{0};
-    std::size_t constraint{0};
+    double cost;                ///< of the surest that is known so far
+    int hops{-1};               ///< as long as none is known to be the surest
+    NodeId before{0};           ///< on the path
+    std::size_t constraint{0};  ///< that leads from there
   };
 
   /// A constraint as a step between its nodes, in either direction.
   struct Step {
-    NodeId node{0};  ///< that it leads to
-    std::size_t constraint{0};
+    NodeId node{0};               ///< that it leads to
+    std::uint32_t constraint{0};  ///< index
+    double cost{0.0};
   };
   using Path = std::pair<double, NodeId>;  ///< its cost, and where it leads
 
@@ -61,13 +66,12 @@ class PathUncertainty {
   void compound(NodeId node);
 
   const PoseGraph& graph_;
+  NodeId root_;
   geometry::Pose2 T_root_graph_;
   std::vector<std::size_t> first_steps_;  ///< of node i; those of the next follow
   std::vector<Step> steps_;
   std::priority_queue<Path, std::vector<Path>, std::greater<>> open_;
-  std::vector<double> least_;  ///< cost of the surest path that is known so far
-  std::vector<int> hops_;      ///< -1 as long as the surest path is not known
-  std::vector<Arrival> arrivals_;
+  std::vector<Arrival> arrivals_;  ///< by node
   std::vector<Eigen::Matrix3d> covariances_;
   std::vector<bool> is_compounded_;
 };

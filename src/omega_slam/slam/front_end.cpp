@@ -287,7 +287,16 @@ void FrontEnd::believe(const graph::PoseGraph& graph) {
     return;
   }
   const Pose2 before = surroundings_.newest();
-  const Pose2 after = surroundings_.believe(graph);
+  moveAlong(before, surroundings_.believe(graph));
+}
+
+void FrontEnd::believe(const graph::PoseGraph& graph, graph::PathUncertainty& known) {
+  const Pose2 before = surroundings_.newest();
+  moveAlong(before, surroundings_.believe(graph, known));
+}
+
+/// The newest keyframe lies elsewhere in the local frame, and the robot with it.
+void FrontEnd::moveAlong(const Pose2& before, const Pose2& after) {
   belief_.pose = after * relativePose(before, belief_.pose);
   belief_.covariance = geometry::rotateCovariance(belief_.covariance, after.theta - before.theta);
 }

@@ -70,6 +70,8 @@ class FrontEnd {
 
   /// Takes over what the graph now believes of the keyframes.
   void believe(const graph::PoseGraph& graph);
+  /// The same; `known` as for Surroundings::believe().
+  void believe(const graph::PoseGraph& graph, graph::PathUncertainty& known);
 
   void reset();  ///< forgets all; the next sweep is keyframe 0
 
@@ -94,6 +96,7 @@ class FrontEnd {
                                                      const Eigen::Matrix3d& covariance_in_odom,
                                                      const TrackedScan& tracked) const;
   [[nodiscard]] Belief beliefInMap() const;
+  void moveAlong(const geometry::Pose2& before, const geometry::Pose2& after);
 
   FrontEndConfig config_;
   ScanTracker tracker_;

@@ -93,8 +93,15 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const graph::PoseGraph& gr
   if (id >= keyframes_.size() || id >= graph.poses.size()) {
     return {};
   }
+  graph::PathUncertainty known(graph, id);
+  return search(graph, known);
+}
+
+std::vector<Constraint> LoopCloser::search(const graph::PoseGraph& graph,
+                                           graph::PathUncertainty& known) {
+  const NodeId id = known.root();
   std::vector<Constraint> loops;
-  for (const Candidate& candidate : candidates(id, graph)) {
+  for (const Candidate& candidate : candidates(graph, known)) {
     if (!loops.empty() && isWide(candidate.window)) {
       continue;  // once the first is in the graph, the window will be narrow
     }
@@ -105,9 +112,9 @@ std::vector<Constraint> LoopCloser::search(NodeId id, const graph::PoseGraph& gr
 }
 
 /// Earlier keyframes worth a match with `id`, those first of which most would be learnt.
-std::vector<LoopCloser::Candidate> LoopCloser::candidates(NodeId id,
-                                                          const graph::PoseGraph& graph) const {
-  graph::PathUncertainty known(graph, id);
+std::vector<LoopCloser::Candidate> LoopCloser::candidates(const graph::PoseGraph& graph,
+                                                          graph::PathUncertainty& known) const {
+  const NodeId id = known.root();
   const auto separation = static_cast<NodeId>(config_.min_separation);
   std::vector<Candidate> all;
   const Eigen::Vector2d seen = graph.poses[id] * seen_[id];

@@ -49,6 +49,10 @@ class LoopCloser {
   /// @param graph as it is now solved; must reach to `id`
   [[nodiscard]] std::vector<graph::Constraint> search(graph::NodeId id,
                                                       const graph::PoseGraph& graph);
+  /// The same for the keyframe that a graph is seen from, for one who asks that for other ends too.
+  /// @param known of that graph
+  [[nodiscard]] std::vector<graph::Constraint> search(const graph::PoseGraph& graph,
+                                                      graph::PathUncertainty& known);
 
   void reset();
 
@@ -58,8 +62,8 @@ class LoopCloser {
     double gain{0.0};
     matching::SearchWindow window;
   };
-  [[nodiscard]] std::vector<Candidate> candidates(graph::NodeId id,
-                                                  const graph::PoseGraph& graph) const;
+  [[nodiscard]] std::vector<Candidate> candidates(const graph::PoseGraph& graph,
+                                                  graph::PathUncertainty& known) const;
   [[nodiscard]] std::vector<graph::Constraint> tryCandidate(graph::NodeId id,
                                                             const Candidate& candidate,
                                                             const graph::PoseGraph& graph);

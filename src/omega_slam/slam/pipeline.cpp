@@ -55,10 +55,15 @@ void Pipeline::addKeyframe(const FrontEndResult& result, ScanOutcome& outcome) {
   const graph::NodeId id = result.keyframe->id;
   predictor_.anchor(result.keyframe->T_odom_base);
   keyframes_.push_back(result.keyframe);
-  back_end_.addKeyframe(id, result.keyframe->T_odom_base, result.constraints);
+  const std::string refusal =
+      back_end_.addKeyframe(id, result.keyframe->T_odom_base, result.constraints);
   loops_.addKeyframe(result.keyframe);
-  front_end_.believe(graph());  // as the nodes do, which search for loops meanwhile
-  const auto loops = loops_.search(id, graph());
+  if (!refusal.empty()) {
+    return;
+  }
+  graph::PathUncertainty known(graph(), id);
+  front_end_.believe(graph(), known);  // as the nodes do, which search for loops meanwhile
+  const auto loops = loops_.search(graph(), known);
   outcome.loops = loops.size();
   if (!loops.empty()) {
     back_end_.addConstraints(loops);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
-#include "omega_slam/graph/path_uncertainty.h"
 
 namespace omega_slam::slam {
 
@@ -69,16 +68,21 @@ void Surroundings::addGlance(const matching::View& view, const Pose2& T_local_ba
 }
 
 Pose2 Surroundings::believe(const graph::PoseGraph& graph) {
-  const std::size_t known = std::min(graph.poses.size(), keyframes_.size());
-  if (known == 0) {
+  const std::size_t count = std::min(graph.poses.size(), keyframes_.size());
+  if (count == 0) {
     return drawn_.empty() ? Pose2{} : newest();
   }
-  const auto last = static_cast<NodeId>(known - 1);
-  poses_.assign(graph.poses.begin(), graph.poses.begin() + static_cast<std::ptrdiff_t>(known));
+  graph::PathUncertainty known(graph, static_cast<NodeId>(count - 1));
+  return believe(graph, known);
+}
+
+Pose2 Surroundings::believe(const graph::PoseGraph& graph, graph::PathUncertainty& known) {
+  const NodeId last = known.root();
+  poses_.assign(graph.poses.begin(), graph.poses.begin() + last + 1);
   if (!isDrawn(last)) {
     return newest();  // the robot has been found elsewhere since
   }
-  const auto nearby = wanted(graph, last);
+  const auto nearby = wanted(graph, known);
   if (hasBent(last)) {
     redraw(last, nearby);
     T_map_local_ = {};
@@ -95,8 +99,9 @@ Pose2 Surroundings::believe(const graph::PoseGraph& graph) {
 }
 
 /// Those to be drawn, in their order.
-std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph, NodeId newest) const {
-  graph::PathUncertainty known(graph, newest);
+std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph,
+                                         graph::PathUncertainty& known) const {
+  const NodeId newest = known.root();
   const auto isSure = [&](NodeId id) {
     return known.placeDeviation(id) <= config_.max_deviation &&
            known.headingDeviation(id) <= config_.max_deviation;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/graph/path_uncertainty.h"
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/matching/local_map.h"
 #include "omega_slam/slam/keyframe.h"
@@ -42,6 +43,9 @@ class Surroundings {
   /// Takes over what the graph believes. It may lag behind by some keyframes.
   /// @return `T_local_base` of the newest keyframe from now on
   geometry::Pose2 believe(const graph::PoseGraph& graph);
+  /// The same, for one who asks how well the graph is known for other ends too.
+  /// @param known of that graph, from the newest keyframe, which it must know
+  geometry::Pose2 believe(const graph::PoseGraph& graph, graph::PathUncertainty& known);
 
   /// Draws also what was seen between keyframes, if the robot has moved since the last drawing: it
   /// makes walls more certain than the few keyframes can. Forgotten some keyframes later, when all
@@ -75,7 +79,7 @@ class Surroundings {
   using Drawn = std::map<graph::NodeId, geometry::Pose2>;  ///< `T_local_base` of each
 
   [[nodiscard]] std::vector<graph::NodeId> wanted(const graph::PoseGraph& graph,
-                                                  graph::NodeId newest) const;
+                                                  graph::PathUncertainty& known) const;
   [[nodiscard]] bool hasBent(graph::NodeId newest) const;
   void redraw(graph::NodeId newest, const std::vector<graph::NodeId>& wanted);
   void draw(graph::NodeId id, const geometry::Pose2& T_local_base);
