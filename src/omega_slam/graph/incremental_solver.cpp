@@ -44,14 +44,15 @@ void IncrementalSolver::addNode(const Pose2& T_map_node,
   graph_.poses.push_back(T_map_node);
   graph_.poses.back() = relaxNode(graph_, node, constraints);
   graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
+  // A leaf lies at its optimum already: a factor is made when a loop asks for one.
   if (!cholesky_ || part_.size() == capacity_) {
-    batch();
+    cholesky_.reset();
     return;
   }
   part_.append(node);
   linearized_at_.push_back(graph_.poses.back());
   if (!isFor(constraints)) {
-    batch();
+    cholesky_.reset();
     return;
   }
   for (const Constraint& constraint : constraints) {
@@ -135,6 +136,11 @@ void IncrementalSolver::batch() {
 
 void IncrementalSolver::place(NodeId node, const Pose2& T_map_node) {
   graph_.poses[node] = T_map_node;
+}
+
+SolveReport IncrementalSolver::finishWith(const std::vector<Constraint>& constraints) {
+  graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
+  return finish();
 }
 
 SolveReport IncrementalSolver::withdraw(std::size_t k) {

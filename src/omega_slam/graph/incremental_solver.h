@@ -43,6 +43,9 @@ class IncrementalSolver {
   /// Adds constraints between known nodes. All poses follow.
   void addConstraints(const std::vector<Constraint>& constraints);
 
+  /// Adds constraints between known nodes and solves until the poses rest.
+  SolveReport finishWith(const std::vector<Constraint>& constraints);
+
   /// Moves a node. @pre it is held, and no constraint is tied to it
   void place(NodeId node, const geometry::Pose2& T_map_node);
 

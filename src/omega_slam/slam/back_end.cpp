@@ -91,24 +91,29 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
       error = std::max(error, std::sqrt(graph::chiSquare(graph(), carried)));
     }
   }
-  if (!valid.empty()) {
+  if (error > config_.solve_error) {
+    report_ = solver_.finishWith(valid);
+    settle();
+  } else if (!valid.empty()) {
     solver_.addConstraints(valid);
     moveRetired();
-  }
-  if (error > config_.solve_error) {
-    solve();
   }
   return refusal;
 }
 
 const graph::SolveReport& BackEnd::solve() {
   report_ = solver_.finish();
+  settle();
+  return report_;
+}
+
+/// What follows a solve of the whole.
+void BackEnd::settle() {
   if (isAnyLoopFarOff()) {
     doubtLoops();
     letBe();
   }
   moveRetired();
-  return report_;
 }
 
 bool BackEnd::isAnyLoopFarOff() const {

@@ -163,6 +163,7 @@ TEST(IncrementalSolverLaws, ARetiredNodeMayBeTiedAgain) {
   Constraint step;
   step.from = 39;
   step.to = 40;
+  solver.addConstraints({graph.constraints.back()});  // whatever makes a factor
   solver.addNode(graph.poses[39], {step});
   const std::size_t before = solver.factorized();
   Constraint tie;
@@ -191,6 +192,27 @@ TEST(IncrementalSolverLaws, AWithdrawnLoopLeavesNoTrace) {
               1e-4 * least);
 }
 
+/// What nodes alone add lies at its optimum already.
+TEST(IncrementalSolverLaws, NodesWithoutLoopsAskForNoStepOfTheWhole) {
+  std::mt19937_64 random(8);
+  IncrementalSolver solver(plain());
+  play(test::randomWalk({250, 0, 0.05, 0.0}, random).graph, solver);
+  EXPECT_EQ(solver.batches(), 0U);
+}
+
+TEST(IncrementalSolverLaws, ConstraintsThatComeWithASolveAreAtRestAfterIt) {
+  std::mt19937_64 random(9);
+  const PoseGraph graph = test::randomWalk({60, 50, 0.05, 0.0}, random).graph;
+  IncrementalSolver solver(plain());
+  play(graph, solver);
+  const std::vector<Constraint> more(graph.constraints.end() - 5, graph.constraints.end());
+  PoseGraph whole = solver.graph();
+  whole.constraints.insert(whole.constraints.end(), more.begin(), more.end());
+  const double least = solve(whole, plain().solver).chi_square;
+  EXPECT_NEAR(solver.finishWith(more).chi_square, least, 1e-4 * least);
+  EXPECT_EQ(solver.graph().constraints.size(), whole.constraints.size());
+}
+
 TEST(IncrementalSolverLaws, BatchStepsComeWhenPosesMoveFar) {
   std::mt19937_64 random(7);
   const PoseGraph graph = test::randomWalk({150, 120, 0.1, 0.0}, random).graph;
@@ -202,7 +224,7 @@ TEST(IncrementalSolverLaws, BatchStepsComeWhenPosesMoveFar) {
     play(graph, solver);
     return solver.batches();
   };
-  EXPECT_EQ(batches(3.1), 2U);  // at nodes 0 and 101
+  EXPECT_EQ(batches(3.1), 2U);  // at the first loop, and once 100 nodes have come since
   EXPECT_GT(batches(0.02), 10U);
 }
 
