@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
@@ -56,6 +57,14 @@ void Costmap::setMap(const grid::OccupancyGrid& map) {
 void Costmap::see(const Sighting& sighting, const Eigen::Vector2d& robot) {
   live_.center(robot);
   live_.see(solid_ ? withoutWalls(sighting) : sighting, config_.memory);
+  std::vector<Eigen::Vector2d> walls;
+  std::copy_if(sighting.returns.begin(), sighting.returns.end(), std::back_inserter(walls),
+               [this](const Eigen::Vector2d& point) { return isWall(point); });
+  walls_.see(walls, robot, sighting.stamp);
+}
+
+bool Costmap::isWall(const Eigen::Vector2d& point) const {
+  return solid_ && point.allFinite() && !solid_->isClear(point, geometry().resolution);
 }
 
 Sighting Costmap::withoutWalls(const Sighting& sighting) const {
@@ -64,8 +73,7 @@ Sighting Costmap::withoutWalls(const Sighting& sighting) const {
   news.origin = sighting.origin;
   news.clear = sighting.clear;
   for (const Eigen::Vector2d& point : sighting.returns) {
-    const bool is_wall = point.allFinite() && !solid_->isClear(point, geometry().resolution);
-    (is_wall ? news.clear : news.returns).push_back(point);
+    (isWall(point) ? news.clear : news.returns).push_back(point);
   }
   return news;
 }
@@ -79,8 +87,13 @@ void Costmap::expire(double now) {
   contacts_.expire(now);
 }
 
-void Costmap::forgetLive() {
+void Costmap::forgetSeen() {
   live_.forget();
+  walls_.forget();
+}
+
+void Costmap::forgetLive() {
+  forgetSeen();
   contacts_.forget();
 }
 
@@ -121,8 +134,8 @@ double Costmap::clearance(const Eigen::Vector2d& point) const {
 }
 
 double Costmap::solidClearance(const Eigen::Vector2d& point) const {
-  const double live =
-      std::min(live_.field().interpolated(point), contacts_.field().interpolated(point));
+  const double live = std::min({live_.field().interpolated(point),
+                                contacts_.field().interpolated(point), walls_.clearance(point)});
   return solid_ ? std::min(solid_->interpolated(point), live) : live;
 }
 

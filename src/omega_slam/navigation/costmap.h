@@ -9,6 +9,7 @@
 #include "omega_slam/grid/occupancy_grid.h"
 #include "omega_slam/navigation/contacts.h"
 #include "omega_slam/navigation/live_obstacles.h"
+#include "omega_slam/navigation/seen_walls.h"
 
 namespace omega_slam::navigation {
 
@@ -39,8 +40,9 @@ class Costmap {
   [[nodiscard]] bool hasMap() const { return blocked_ && blocked_->geometry().size() > 0; }
   [[nodiscard]] const grid::GridGeometry& geometry() const { return blocked_->geometry(); }
 
-  /// What is seen within a cell's edge of an obstacle of the map is that obstacle: the laser's
-  /// noise would make doors narrower than they are.
+  /// What is seen within a cell's edge of an obstacle of the map is that obstacle, for plans: the
+  /// laser's noise would make doors narrower than they are. But the robot keeps off where it is
+  /// seen to begin: maps are drawn a few centimetres off.
   /// @param sighting in the map's frame; @param robot [m] about which to remember
   void see(const Sighting& sighting, const Eigen::Vector2d& robot);
   /// @param points [m] where the robot touches something, at time `now` [s]
@@ -48,8 +50,8 @@ class Costmap {
   /// What was touched moves with the map; what is seen now comes anew.
   void moveTouched(const geometry::MapMotion& motion) { contacts_.move(motion); }
   void expire(double now);
-  void forgetSeen() { live_.forget(); }  ///< but not what was touched
-  void forgetLive();                     ///< what was touched, too
+  void forgetSeen();  ///< but not what was touched
+  void forgetLive();  ///< what was touched, too
 
   /// What the map says of a cell. Outside of the map all is unknown; where plans may lead through
   /// unknown cells, none inside of it is.
@@ -74,6 +76,7 @@ class Costmap {
   [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const;
 
  private:
+  [[nodiscard]] bool isWall(const Eigen::Vector2d& point) const;
   [[nodiscard]] Sighting withoutWalls(const Sighting& sighting) const;
   /// Whether a disc touches nothing that was seen or touched.
   [[nodiscard]] bool isFreeOfLive(const Eigen::Vector2d& point, double radius) const {
@@ -86,6 +89,7 @@ class Costmap {
   std::shared_ptr<const grid::DistanceField> blocked_;  ///< to occupied and unknown cells
   std::shared_ptr<const grid::OccupancyGrid> map_;
   LiveObstacles live_;
+  SeenWalls walls_;
   Contacts contacts_;
 };
 
