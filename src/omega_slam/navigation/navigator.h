@@ -80,7 +80,7 @@ class Navigator {
 
   /// Bumpers are pressed: by something that the laser doesn't see, so it is taken to be as wide as
   /// the robot, across the direction of the contact. @param points [m] of contact, in the base
-  /// frame
+  /// frame. May be called as long as they are pressed: that is one contact.
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
 
   /// A goal takes the place of the one before.
@@ -145,7 +145,7 @@ class Navigator {
   std::string reason_;                               ///< of the last trouble
   Plan refusal_;
   bool map_changed_{false};
-  bool in_contact_{false};
+  bool in_contact_{false};  ///< since the last step
   bool recovering_{false};
   double turned_{0.0};     ///< [rad] since the stage of recovery began
   bool on_detour_{false};  ///< around what stood in a shorter way, and may be forgotten by now
@@ -158,7 +158,9 @@ class Navigator {
   double seen_{0.0};  ///< [s] stamp of the newest scan
   bool has_seen_{false};
   std::optional<geometry::Pose2> last_pose_;
-  double complete_since_{0.0};  ///< [s] when last all input was there
+  std::optional<double> touched_at_;  ///< [s] when bumpers were pressed last
+  std::optional<double> contact_at_;  ///< [s] when that began, or was taken to
+  double complete_since_{0.0};        ///< [s] when last all input was there
   double planned_at_{0.0};
   double moved_at_{0.0};
   geometry::Pose2 moved_from_;

@@ -7,7 +7,9 @@
 namespace omega_slam::navigation {
 namespace {
 
-constexpr double kWaitCheck = 0.5;  // [s] between looks whether the way is free again
+constexpr double kWaitCheck = 0.5;    // [s] between looks whether the way is free again
+constexpr double kSameContact = 0.3;  // [s] bumpers that are pressed again so soon never let go
+constexpr double kPressing = 2.0;     // [s] after which a robot that drives on presses anew
 
 }  // namespace
 
@@ -17,7 +19,19 @@ void Navigator::touch(const std::vector<Eigen::Vector2d>& points, double now) {
   }
   const auto marks = sensing::contactMarks(points, *last_pose_, radius_);
   costmap_.touch(marks, now);
-  in_contact_ = in_contact_ || !marks.empty();
+  if (marks.empty()) {
+    return;
+  }
+  // Where something behind it keeps the robot from backing off, it must turn and drive off while
+  // the bumpers are still pressed: it would give up at once if that were one contact after another.
+  const auto isLongAgo = [now](const std::optional<double>& then, double duration) {
+    return !then || std::abs(now - *then) > duration;
+  };
+  if (isLongAgo(touched_at_, kSameContact) || (!recovering_ && isLongAgo(contact_at_, kPressing))) {
+    in_contact_ = true;
+    contact_at_ = now;
+  }
+  touched_at_ = now;
 }
 
 NavigatorStep Navigator::trouble(const std::string& reason, const geometry::Pose2& T_map_base) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kStep = 0.1;  // [s]
 const Footprint kRobot{0.18, 0.2};
-constexpr double kGlass = 3.07;  // [m] x of the robot that touches the glass
+constexpr double kGlass = 3.07;          // [m] x of the robot that touches the glass
+constexpr double kBumperTravel = 0.005;  // [m] until it lets go
 
 /// A room of 6 by 3 m, with a wall that leaves a gap of a metre at its top.
 grid::OccupancyGrid room() {
@@ -52,6 +53,8 @@ class Ride {
     if (has_glass && pose.x > kGlass) {
       pose.x = kGlass;
       ++contacts;
+    }
+    if (has_glass && pose.x > kGlass - kBumperTravel) {
       navigator.touch({pose.rotation().transpose() * Eigen::Vector2d(0.18, 0.0)}, now);
     }
     return result;
@@ -194,6 +197,16 @@ TEST(Navigator, TriesAPaneOfGlassTwiceAtMostAndThenKnowsThatThereIsNoWay) {
   EXPECT_LE(ride.contacts, 2);
   ride.navigator.setGoal({{5.0, 2.0}, std::nullopt}, ride.now);
   EXPECT_EQ(ride.drive(1.0).state, NavigationState::kFailed);
+}
+
+TEST(Navigator, LeavesAPaneSidewaysIfSomethingStandsBehindIt) {
+  Ride ride;
+  ride.has_glass = true;
+  ride.pose = {kGlass, 2.9, 0.0};
+  ride.points = {{2.82, 2.77}};
+  ride.navigator.setGoal({{1.5, 1.0}, std::nullopt}, ride.now);
+  const NavigatorStep last = ride.drive(60.0);
+  EXPECT_EQ(last.state, NavigationState::kReached) << last.reason;
 }
 
 TEST(Navigator, WhatWasTouchedMovesWithTheCorrectedMap) {
