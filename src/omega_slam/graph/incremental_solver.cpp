@@ -8,6 +8,7 @@
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/graph/descent.h"
 #include "omega_slam/graph/linearization.h"
+#include "omega_slam/graph/neighbourhood.h"
 
 namespace omega_slam::graph {
 
@@ -21,6 +22,14 @@ constexpr double kNothingKnown = 1e-9;
 constexpr std::size_t kOpenNodes = 2;
 /// Steps of the whole for one loop at most: the next loops go on with it.
 constexpr int kBatchesAtOnce = 2;
+/// [constraints] from a new one up to which poses follow it first.
+constexpr int kReach = 15;
+/// A part of the graph is worth a solve of its own if the whole is so many times as large,
+constexpr std::size_t kWorthwhile = 2;
+/// and has so many nodes: below, the whole is solved soon enough, and is truer.
+constexpr std::size_t kLarge = 2000;
+/// [m] As long as the outer half of that part moves by less, the rest stays where it is.
+constexpr double kStill = 1e-3;
 
 }  // namespace
 
@@ -62,6 +71,9 @@ void IncrementalSolver::addNode(const Pose2& T_map_node,
 
 void IncrementalSolver::addConstraints(const std::vector<Constraint>& constraints) {
   graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
+  if (!cholesky_ && relaxAround(constraints)) {
+    return;
+  }
   if (!cholesky_ || !isFor(constraints)) {
     batch();
     return;
@@ -113,6 +125,7 @@ bool IncrementalSolver::isStale() const {
 
 void IncrementalSolver::batch() {
   ++batches_;
+  solved_ = graph_.poses.size();
   part_ = EstimatedPart(graph_);
   PoseGraph roomy = part_.of(graph_);
   linearized_at_ = roomy.poses;
@@ -138,9 +151,28 @@ void IncrementalSolver::place(NodeId node, const Pose2& T_map_node) {
   graph_.poses[node] = T_map_node;
 }
 
-SolveReport IncrementalSolver::finishWith(const std::vector<Constraint>& constraints) {
+bool IncrementalSolver::settleAround(const std::vector<Constraint>& constraints) {
   graph_.constraints.insert(graph_.constraints.end(), constraints.begin(), constraints.end());
-  return finish();
+  cholesky_.reset();  // weights change, and poses by more than its linearisation may be good for
+  return relaxAround(constraints);
+}
+
+bool IncrementalSolver::relaxAround(const std::vector<Constraint>& constraints) {
+  if (graph_.poses.size() < kLarge ||
+      graph_.poses.size() >= solved_ + static_cast<std::size_t>(config_.batch_nodes)) {
+    return false;  // what parts are let off by must not add up
+  }
+  const Neighbourhood near(graph_, constraints, kReach);
+  if (kWorthwhile * near.size() > graph_.poses.size()) {
+    return false;
+  }
+  PoseGraph part = near.of(graph_);
+  if (solve(part, config_.solver).status != SolveStatus::kConverged ||
+      near.outerMotion(part, graph_) > kStill) {
+    return false;
+  }
+  near.place(part, graph_);
+  return true;
 }
 
 SolveReport IncrementalSolver::withdraw(std::size_t k) {
@@ -155,6 +187,7 @@ SolveReport IncrementalSolver::resume(PoseGraph graph) {
 
 SolveReport IncrementalSolver::finish() {
   cholesky_.reset();
+  solved_ = graph_.poses.size();
   const EstimatedPart part(graph_);
   PoseGraph estimated = part.of(graph_);
   SolveReport report = solver_.solve(estimated);

@@ -29,8 +29,9 @@ struct IncrementalConfig {
 /// moves. A constraint between known nodes changes the factor of Omega along one path of its
 /// elimination tree, and a backward substitution gives all poses. Linearisation points stay until a
 /// batch step (Kaess, Ranganathan and Dellaert, "iSAM: incremental smoothing and mapping", T-RO 24,
-/// 2008, section IV), which comes early where a pose has moved far. Nodes that are held and tied to
-/// nothing cost nothing.
+/// 2008, section IV), which comes early where a pose has moved far. Where no factor is at hand, or
+/// kernels are to be weighed anew, only what lies around the constraint is solved for, as long as
+/// the rest need not move. Nodes that are held and tied to nothing cost nothing.
 class IncrementalSolver {
  public:
   explicit IncrementalSolver(
@@ -43,8 +44,10 @@ class IncrementalSolver {
   /// Adds constraints between known nodes. All poses follow.
   void addConstraints(const std::vector<Constraint>& constraints);
 
-  /// Adds constraints between known nodes and solves until the poses rest.
-  SolveReport finishWith(const std::vector<Constraint>& constraints);
+  /// Adds constraints between known nodes, and solves for the poses around them until these rest.
+  /// @return whether that was enough: what lies farther away need not move. Else all poses are as
+  /// before, and wait for a solve of the whole
+  [[nodiscard]] bool settleAround(const std::vector<Constraint>& constraints);
 
   /// Moves a node. @pre it is held, and no constraint is tied to it
   void place(NodeId node, const geometry::Pose2& T_map_node);
@@ -67,6 +70,7 @@ class IncrementalSolver {
  private:
   /// Whether the factor has the nodes of all.
   [[nodiscard]] bool isFor(const std::vector<Constraint>& constraints) const;
+  [[nodiscard]] bool relaxAround(const std::vector<Constraint>& constraints);
   void include(const Constraint& constraint);
   void batch();
   void follow();
@@ -79,6 +83,7 @@ class IncrementalSolver {
   std::unique_ptr<UpdatableCholesky> cholesky_;  ///< none where a batch step is due
   std::size_t capacity_{0};                      ///< nodes that the factor has room for
   std::size_t batches_{0};
+  std::size_t solved_{0};  ///< nodes that there were at the last step of the whole
   GraphSolver solver_;
 };
 

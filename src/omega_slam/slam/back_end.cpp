@@ -92,8 +92,11 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
     }
   }
   if (error > config_.solve_error) {
-    report_ = solver_.finishWith(valid);
-    settle();
+    if (!solver_.settleAround(valid) || isAnyLoopFarOff()) {
+      solve();
+    } else {
+      moveRetired();
+    }
   } else if (!valid.empty()) {
     solver_.addConstraints(valid);
     moveRetired();
@@ -103,17 +106,12 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
 
 const graph::SolveReport& BackEnd::solve() {
   report_ = solver_.finish();
-  settle();
-  return report_;
-}
-
-/// What follows a solve of the whole.
-void BackEnd::settle() {
   if (isAnyLoopFarOff()) {
     doubtLoops();
     letBe();
   }
   moveRetired();
+  return report_;
 }
 
 bool BackEnd::isAnyLoopFarOff() const {

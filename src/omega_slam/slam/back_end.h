@@ -86,7 +86,6 @@ class BackEnd {
   [[nodiscard]] bool isAnyLoopFarOff() const;
   /// Squared error beyond which a loop calls for a doubt. @param k index of the constraint
   [[nodiscard]] double limitOf(std::size_t k) const;
-  void settle();
   void doubtLoops();
   void letBe();
   void retireSome();
