@@ -185,6 +185,11 @@ SolveReport IncrementalSolver::resume(PoseGraph graph) {
   return finish();
 }
 
+void IncrementalSolver::goOnWith(PoseGraph graph) {
+  graph_ = std::move(graph);
+  cholesky_.reset();
+}
+
 SolveReport IncrementalSolver::finish() {
   cholesky_.reset();
   solved_ = graph_.poses.size();

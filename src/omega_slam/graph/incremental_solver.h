@@ -58,6 +58,8 @@ class IncrementalSolver {
 
   /// Goes on with another graph, such as this one without some loops. Solves until the poses rest.
   SolveReport resume(PoseGraph graph);
+  /// The same for a graph that is at rest, such as this one with nodes retired.
+  void goOnWith(PoseGraph graph);
 
   /// Solves until the poses rest. Kernels are weighed anew at each step.
   SolveReport finish();

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -23,12 +24,20 @@ struct Marginal {
   Eigen::VectorXd shift;       ///< from the graph's poses to the mean
 };
 
-std::vector<NodeId> neighboursOf(const PoseGraph& graph, NodeId node) {
+/// Those that a node has. All that is asked of them is asked of these few, for a graph is long to
+/// look through.
+std::vector<Constraint> constraintsOf(const PoseGraph& graph, NodeId node) {
+  std::vector<Constraint> own;
+  std::copy_if(graph.constraints.begin(), graph.constraints.end(), std::back_inserter(own),
+               [node](const Constraint& c) { return c.from == node || c.to == node; });
+  return own;
+}
+
+/// @param own constraints of the node
+std::vector<NodeId> neighboursOf(const std::vector<Constraint>& own, NodeId node) {
   std::vector<NodeId> neighbours;
-  for (const Constraint& constraint : graph.constraints) {
-    if (constraint.from == node || constraint.to == node) {
-      neighbours.push_back(constraint.from == node ? constraint.to : constraint.from);
-    }
+  for (const Constraint& constraint : own) {
+    neighbours.push_back(constraint.from == node ? constraint.to : constraint.from);
   }
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
@@ -37,8 +46,9 @@ std::vector<NodeId> neighboursOf(const PoseGraph& graph, NodeId node) {
 
 /// The marginal, or none where the constraints do not determine it.
 std::optional<Marginal> marginalOf(const PoseGraph& graph, NodeId node,
+                                   const std::vector<Constraint>& own,
                                    const KernelConfig& kernels) {
-  Marginal marginal{neighboursOf(graph, node), {}, {}};
+  Marginal marginal{neighboursOf(own, node), {}, {}};
   const auto count = static_cast<Eigen::Index>(marginal.neighbours.size());
   Eigen::MatrixXd omega = Eigen::MatrixXd::Zero(3 * (count + 1), 3 * (count + 1));
   Eigen::VectorXd xi = Eigen::VectorXd::Zero(3 * (count + 1));
@@ -46,10 +56,7 @@ std::optional<Marginal> marginalOf(const PoseGraph& graph, NodeId node,
     const auto found = std::lower_bound(marginal.neighbours.begin(), marginal.neighbours.end(), id);
     return 3 * (id == node ? count : found - marginal.neighbours.begin());
   };
-  for (const Constraint& constraint : graph.constraints) {
-    if (constraint.from != node && constraint.to != node) {
-      continue;
-    }
+  for (const Constraint& constraint : own) {
     const LinearizedConstraint at = linearize(constraint, graph);
     const double weight = kernels.of(constraint.kind).at(chiSquare(graph, constraint)).weight;
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3, omega.cols());
@@ -158,24 +165,24 @@ Constraint constraintOf(const PoseGraph& graph, const Marginal& marginal, const 
   return constraint;
 }
 
-bool isFixture(const PoseGraph& graph, NodeId node) {
+bool isFixture(const PoseGraph& graph, NodeId node, const std::vector<Constraint>& own) {
   const auto contains = [](const std::vector<NodeId>& nodes, NodeId id) {
     return std::find(nodes.begin(), nodes.end(), id) != nodes.end();
   };
   return contains(graph.held, node) || contains(graph.points, node) ||
-         std::any_of(graph.constraints.begin(), graph.constraints.end(), [&](const Constraint& c) {
+         std::any_of(own.begin(), own.end(), [&](const Constraint& c) {
            return c.from == node && c.kind == ConstraintKind::kLandmark;
          });
 }
 
 /// Replaces the constraints of a node by others between its neighbours. @return what is lost by
 /// that; none, and the graph as it was, in the cases of removeNode()
-std::optional<double> untie(PoseGraph& graph, NodeId node, double max_divergence,
-                            const KernelConfig& kernels) {
-  if (isFixture(graph, node) || neighboursOf(graph, node).empty()) {
+std::optional<double> untie(PoseGraph& graph, NodeId node, const std::vector<Constraint>& own,
+                            double max_divergence, const KernelConfig& kernels) {
+  if (own.empty() || isFixture(graph, node, own)) {
     return std::nullopt;
   }
-  const auto marginal = marginalOf(graph, node, kernels);
+  const auto marginal = marginalOf(graph, node, own, kernels);
   if (!marginal) {
     return std::nullopt;
   }
@@ -226,7 +233,7 @@ void eraseNodes(PoseGraph& graph, const std::vector<NodeId>& nodes) {
 
 std::optional<double> removeNode(PoseGraph& graph, NodeId node, double max_divergence,
                                  const KernelConfig& kernels) {
-  const auto lost = untie(graph, node, max_divergence, kernels);
+  const auto lost = untie(graph, node, constraintsOf(graph, node), max_divergence, kernels);
   if (lost) {
     eraseNodes(graph, {node});
   }
@@ -235,8 +242,9 @@ std::optional<double> removeNode(PoseGraph& graph, NodeId node, double max_diver
 
 std::optional<Retirement> retireNode(PoseGraph& graph, NodeId node, double max_divergence,
                                      const KernelConfig& kernels) {
-  const std::vector<NodeId> neighbours = neighboursOf(graph, node);
-  const auto lost = untie(graph, node, max_divergence, kernels);
+  const std::vector<Constraint> own = constraintsOf(graph, node);
+  const std::vector<NodeId> neighbours = neighboursOf(own, node);
+  const auto lost = untie(graph, node, own, max_divergence, kernels);
   if (!lost) {
     return std::nullopt;
   }

@@ -184,7 +184,7 @@ void BackEnd::retireSome() {
                  return c.kind == graph::ConstraintKind::kLoop &&
                         (retired_.has(c.from) || retired_.has(c.to));
                });
-  report_ = solver_.resume(std::move(thinned));
+  solver_.goOnWith(std::move(thinned));
   letBe();
   moveRetired();
 }
