@@ -22,6 +22,15 @@ constexpr double kWorse = 2.0;
 /// [keyframes] between two looks for some that may retire: each is worth a solve of the whole.
 constexpr std::size_t kRetireEvery = 50;
 
+/// A graph of so many keyframes takes long to doubt. One in so many of them must have come since.
+constexpr std::size_t kLarge = 2000;
+constexpr std::size_t kDoubtShare = 50;
+
+bool areLoops(const std::vector<Constraint>& constraints) {
+  return std::all_of(constraints.begin(), constraints.end(),
+                     [](const Constraint& c) { return c.kind == graph::ConstraintKind::kLoop; });
+}
+
 /// First guess of a node's pose: by the constraint that says most of it.
 Pose2 placeByBest(const graph::PoseGraph& graph, NodeId node,
                   const std::vector<Constraint>& constraints) {
@@ -91,7 +100,9 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
       error = std::max(error, std::sqrt(graph::chiSquare(graph(), carried)));
     }
   }
-  if (error > config_.solve_error) {
+  if (error > config_.solve_error && !isDoubtAffordable() && areLoops(valid)) {
+    addUndoubted(valid);
+  } else if (error > config_.solve_error) {
     if (!solver_.settleAround(valid) || isAnyLoopFarOff()) {
       solve();
     } else {
@@ -104,9 +115,28 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
   return refusal;
 }
 
+bool BackEnd::isDoubtAffordable() const {
+  const std::size_t count = graph().poses.size();
+  return count < kLarge || doubts_ == 0 || count >= doubted_at_ + count / kDoubtShare;
+}
+
+/// Loops that contradict the others are kept for the next doubt: it says who is right.
+void BackEnd::addUndoubted(const std::vector<Constraint>& loops) {
+  graph::PoseGraph before = graph();
+  if (!solver_.settleAround(loops)) {
+    report_ = solver_.finish();
+  }
+  if (isAnyLoopFarOff()) {
+    withdrawn_.insert(withdrawn_.end(), loops.begin(), loops.end());
+    is_doubt_called_ = true;
+    solver_.goOnWith(std::move(before));
+  }
+  moveRetired();
+}
+
 const graph::SolveReport& BackEnd::solve() {
   report_ = solver_.finish();
-  if (isAnyLoopFarOff()) {
+  if (is_doubt_called_ || isAnyLoopFarOff()) {
     doubtLoops();
     letBe();
   }
@@ -133,6 +163,8 @@ double BackEnd::limitOf(std::size_t k) const {
 
 void BackEnd::doubtLoops() {
   ++doubts_;
+  doubted_at_ = graph().poses.size();
+  is_doubt_called_ = false;
   graph::PoseGraph all = graph();
   std::vector<Constraint> contradicted;
   for (const Constraint& loop : withdrawn_) {
@@ -170,7 +202,11 @@ void BackEnd::retireSome() {
   if (config_.thinning.nodes_per_place == 0 || !graph::isAnyCrowded(graph(), config_.thinning)) {
     return;
   }
-  solve();
+  if (isDoubtAffordable()) {
+    solve();
+  } else {
+    report_ = solver_.finish();
+  }
   graph::PoseGraph thinned = graph();
   const std::vector<graph::Retirement> newly = graph::retireNodes(thinned, config_.thinning);
   if (newly.empty()) {
