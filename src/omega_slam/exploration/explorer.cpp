@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "omega_slam/exploration/strategy_factory.h"
+#include "omega_slam/grid/pane.h"
 #include "omega_slam/sensing/contact.h"
 
 namespace omega_slam::exploration {
@@ -81,8 +82,12 @@ void Explorer::touch(const std::vector<Eigen::Vector2d>& contacts) {
   if (!last_pose_) {
     return;
   }
-  for (const Eigen::Vector2d& mark :
-       sensing::contactMarks(contacts, *last_pose_, config_.robot_radius)) {
+  auto marks = sensing::contactMarks(contacts, *last_pose_, config_.robot_radius);
+  if (map_) {
+    const auto panes = grid::paneMarks(*map_, contacts, *last_pose_, config_.robot_radius);
+    marks.insert(marks.end(), panes.begin(), panes.end());
+  }
+  for (const Eigen::Vector2d& mark : marks) {
     const bool is_new = std::none_of(
         touched_.begin(), touched_.end(),
         [&mark](const Eigen::Vector2d& other) { return (mark - other).norm() < kSameMark; });

@@ -79,8 +79,9 @@ class Navigator {
   void see(const Sighting& sighting, const geometry::Pose2& T_map_base);
 
   /// Bumpers are pressed: by something that the laser doesn't see, so it is taken to be as wide as
-  /// the robot, across the direction of the contact. @param points [m] of contact, in the base
-  /// frame. May be called as long as they are pressed: that is one contact.
+  /// the robot, across the direction of the contact, or as the gap in a wall that it fills
+  /// (grid::findPane()). May be called as long as they are pressed: that is one contact.
+  /// @param points [m] of contact, in the base frame
   void touch(const std::vector<Eigen::Vector2d>& points, double now);
 
   /// A goal takes the place of the one before.

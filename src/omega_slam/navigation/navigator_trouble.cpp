@@ -1,6 +1,7 @@
 // What a Navigator does in trouble: it bumps into something, or does not get on.
 #include <cmath>
 
+#include "omega_slam/grid/pane.h"
 #include "omega_slam/navigation/navigator.h"
 #include "omega_slam/sensing/contact.h"
 
@@ -17,7 +18,11 @@ void Navigator::touch(const std::vector<Eigen::Vector2d>& points, double now) {
   if (!last_pose_ || points.empty()) {
     return;
   }
-  const auto marks = sensing::contactMarks(points, *last_pose_, radius_);
+  auto marks = sensing::contactMarks(points, *last_pose_, radius_);
+  if (costmap_.hasMap()) {
+    const auto panes = grid::paneMarks(costmap_.map(), points, *last_pose_, radius_);
+    marks.insert(marks.end(), panes.begin(), panes.end());
+  }
   costmap_.touch(marks, now);
   if (marks.empty()) {
     return;

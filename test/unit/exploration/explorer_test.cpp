@@ -320,6 +320,18 @@ TEST(Explorer, SendsTheRobotNowhereBeyondWhatItHasTouched) {
   }
 }
 
+TEST(Explorer, TakesAPaneToFillTheGapInWhichItWasTouched) {
+  UnderWay run(configOf("nearest_to_robot"), 1);
+  (void)run.explorer.update(run.robot.now(), run.robot.pose());
+  const auto before = static_cast<std::ptrdiff_t>(run.robot.orders().size());
+  run.explorer.touch({run.robot.pose().inverse() * Eigen::Vector2d(3.02, 1.8)});
+  ASSERT_TRUE(run.robot.run(run.explorer, 500));
+  for (auto order = run.robot.orders().begin() + before; order != run.robot.orders().end();
+       ++order) {
+    EXPECT_LT(order->goal.T_map_base.x, 3.2);
+  }
+}
+
 TEST(Explorer, GoalsMoveWithTheMap) {
   UnderWay run;
   const Goal before = *run.explorer.goal();

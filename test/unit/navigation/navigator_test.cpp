@@ -52,9 +52,10 @@ class Ride {
     pose = pose * motion::Arc{velocity.linear * kStep, velocity.angular * kStep}.toMotion();
     if (has_glass && pose.x > kGlass) {
       pose.x = kGlass;
-      ++contacts;
+      contacts += is_pressed ? 0 : 1;
     }
-    if (has_glass && pose.x > kGlass - kBumperTravel) {
+    is_pressed = has_glass && pose.x > kGlass - kBumperTravel;
+    if (is_pressed) {
       navigator.touch({pose.rotation().transpose() * Eigen::Vector2d(0.18, 0.0)}, now);
     }
     return result;
@@ -82,6 +83,7 @@ class Ride {
   bool sees{true};
   bool is_lost{false};
   bool has_glass{false};  ///< in the gap, where its laser doesn't see it
+  bool is_pressed{false};
   int contacts{0};
 };
 
@@ -197,6 +199,25 @@ TEST(Navigator, TriesAPaneOfGlassTwiceAtMostAndThenKnowsThatThereIsNoWay) {
   EXPECT_LE(ride.contacts, 2);
   ride.navigator.setGoal({{5.0, 2.0}, std::nullopt}, ride.now);
   EXPECT_EQ(ride.drive(1.0).state, NavigationState::kFailed);
+}
+
+TEST(Navigator, TouchesAPaneInAWallOnceHoweverWideItIs) {
+  Ride ride;
+  ride.navigator.setMap(test::drawnMap({"##############",  //
+                                        "#     #      #",  //
+                                        "#            #",  //
+                                        "#            #",  //
+                                        "#            #",  //
+                                        "#            #",  //
+                                        "#     #      #",  //
+                                        "##############"},
+                                       0.05, 10));
+  ride.has_glass = true;
+  ride.navigator.setGoal({{5.0, 1.0}, std::nullopt}, ride.now);
+  const NavigatorStep last = ride.drive(120.0);
+  EXPECT_EQ(last.state, NavigationState::kFailed);
+  EXPECT_THAT(last.reason, testing::HasSubstr("no way"));
+  EXPECT_EQ(ride.contacts, 1);
 }
 
 TEST(Navigator, LeavesAPaneSidewaysIfSomethingStandsBehindIt) {
