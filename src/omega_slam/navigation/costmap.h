@@ -14,11 +14,11 @@
 namespace omega_slam::navigation {
 
 struct CostmapConfig {
-  int occupied_threshold{50};    ///< [%] cells of the map from this value on are obstacles
-  bool unknown_is_free{false};   ///< whether plans may lead through what the map does not know
-  double reach{4.0};             ///< [m] around the robot in which live obstacles are remembered
-  double memory{8.0};            ///< [s] an obstacle lasts that is no longer looked at
-  double contact_memory{600.0};  ///< [s] a place lasts where the robot has bumped into something
+  int occupied_threshold{50};     ///< [%] cells of the map from this value on are obstacles
+  bool unknown_is_free{false};    ///< whether plans may lead through what the map does not know
+  double reach{4.0};              ///< [m] around the robot in which live obstacles are remembered
+  double memory{8.0};             ///< [s] an obstacle lasts that is no longer looked at
+  double contact_memory{3600.0};  ///< [s] a place lasts where the robot has bumped into something
 
   [[nodiscard]] std::vector<std::string> validate() const;  ///< all violations, a sentence each
 };
@@ -39,6 +39,7 @@ class Costmap {
   void setMap(const grid::OccupancyGrid& map);
   [[nodiscard]] bool hasMap() const { return blocked_ && blocked_->geometry().size() > 0; }
   [[nodiscard]] const grid::GridGeometry& geometry() const { return blocked_->geometry(); }
+  [[nodiscard]] const grid::OccupancyGrid& map() const { return *map_; }  ///< once there is one
 
   /// What is seen within a cell's edge of an obstacle of the map is that obstacle, for plans: the
   /// laser's noise would make doors narrower than they are. But the robot keeps off where it is
