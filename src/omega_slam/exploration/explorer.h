@@ -134,6 +134,9 @@ class Explorer {
   Order cancel();
   [[nodiscard]] bool isAnythingLeft(double now, const geometry::Pose2& T_map_base);
   Order comeHome(double now, const geometry::Pose2& T_map_base);
+  /// Home, or the nearest place to it where the map shows room.
+  [[nodiscard]] geometry::Pose2 placeAtHome(const geometry::Pose2& T_map_base) const;
+  [[nodiscard]] bool isNearerHome(const geometry::Pose2& place, const Goal& goal) const;
   Order end(const std::string& addition);
   void dropGoal();
 

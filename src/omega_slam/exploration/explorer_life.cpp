@@ -171,13 +171,32 @@ Order Explorer::comeHome(double now, const Pose2& T_map_base) {
   if (goal_state_ == GoalState::kFailed) {
     ++failures_;
   }
-  const bool is_home =
-      goal_state_ == GoalState::kReached || geometry::distance(T_map_base, *home_) < kAtHome;
+  const Pose2 place = placeAtHome(T_map_base);
+  const bool is_reached = goal_state_ == GoalState::kReached && !isNearerHome(place, *goal_);
+  const bool is_home = is_reached || geometry::distance(T_map_base, *home_) < kAtHome;
   dropGoal();
   if (failures_ >= kMaxAttempts) {
     return end(" The way home could not be driven.");
   }
-  return is_home ? end(" The robot is home.") : goTo(*home_, 0);
+  return is_home ? end(" The robot is home.") : goTo(place, 0);
+}
+
+Pose2 Explorer::placeAtHome(const Pose2& T_map_base) const {
+  constexpr double kNearHome = 1.0;  // [m]
+  const Survey survey = surveyFrom(T_map_base);
+  const std::vector<Cell> cells = survey.room().nearestRoom(home_->translation(), kNearHome);
+  const Cell home = MapView(*map_).cellAt(home_->translation());
+  if (survey.room().hasRoomAt(home) || cells.empty()) {
+    return *home_;
+  }
+  // A laser sees no floor below the robot, and may not have looked back at where it started.
+  const Eigen::Vector2d place = MapView(*map_).center(cells.front());
+  return {place.x(), place.y(), home_->theta};
+}
+
+bool Explorer::isNearerHome(const Pose2& place, const Goal& goal) const {
+  constexpr double kNearer = 0.1;  // [m] by which the map now shows room nearer to home
+  return geometry::distance(place, *home_) < geometry::distance(goal.T_map_base, *home_) - kNearer;
 }
 
 bool Explorer::isAnythingLeft(double now, const Pose2& T_map_base) {

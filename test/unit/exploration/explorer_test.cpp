@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "omega_slam/exploration/standing_room.h"
 #include "omega_slam/exploration/strategy_factory.h"
 #include "support/drawn_world.h"
 #include "support/toy_robot.h"
@@ -330,6 +331,35 @@ TEST(Explorer, TakesAPaneToFillTheGapInWhichItWasTouched) {
        ++order) {
     EXPECT_LT(order->goal.T_map_base.x, 3.2);
   }
+}
+
+TEST(Explorer, ComesHomeToWhereItsMapShowsRoom) {
+  Explorer explorer(configOf("nearest_to_robot"));
+  (void)explorer.start();
+  auto map = std::make_shared<grid::OccupancyGrid>(
+      grid::makeGrid({0.05, {0.0, 0.0}, 80, 60}, grid::kOccupied));
+  for (int row = 1; row < 59; ++row) {
+    for (int column = 1; column < 79; ++column) {
+      map->at({column, row}) = grid::kFree;
+    }
+  }
+  const Pose2 home{1.02, 1.02, 0.0};
+  auto whole = std::make_shared<grid::OccupancyGrid>(*map);
+  for (const Cell& step : discAround(1.0)) {  // the laser has never looked back
+    map->at(map->geometry.cellAt(home.translation()) + step) = grid::kUnknown;
+  }
+  explorer.showMap(map);
+  (void)explorer.update(1.0, home);
+  ASSERT_EQ(explorer.phase(), Phase::kReturning);
+  const Order order = explorer.update(2.0, Pose2{3.0, 2.0, 0.0});
+  ASSERT_EQ(order.kind, Order::Kind::kGo);
+  EXPECT_EQ(map->at(map->geometry.cellAt(order.goal.T_map_base.translation())), grid::kFree);
+  EXPECT_LT(geometry::distance(order.goal.T_map_base, home), 0.5);
+  explorer.showMap(whole);  // home has been seen on the way
+  explorer.goalEnded(order.goal.id, true);
+  const Order again = explorer.update(3.0, order.goal.T_map_base);
+  ASSERT_EQ(again.kind, Order::Kind::kGo);
+  EXPECT_LT(geometry::distance(again.goal.T_map_base, home), 1e-9);
 }
 
 TEST(Explorer, GoalsMoveWithTheMap) {
