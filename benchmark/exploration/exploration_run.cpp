@@ -10,6 +10,7 @@
 #include "omega_slam/motion/odometry_buffer.h"
 #include "omega_slam/navigation/navigator.h"
 #include "omega_slam/navigation/sighting.h"
+#include "omega_slam/sensing/sweep_duration.h"
 #include "omega_slam/simulation/turtlebot.h"
 
 namespace omega_slam::experiments {
@@ -139,12 +140,13 @@ class Run {
       graph_poses_ = localisation_->poses();
     }
     if (localisation_->keyframes().size() == 1 && !T_world_map_) {
-      T_world_map_ = T_world_base;
+      T_world_map_ = truth_.at(sensing::middleOfSweep(scan)).value();
     }
     const auto taken = intake_.process(scan, mount, during);
     if (const auto T_map_odom = localisation_->mapFromOdom(); taken.sweep && T_map_odom) {
       const ThreadTimer timer(outcome_.navigator_cpu);
-      navigator_.see(navigation::sightingFrom(*taken.sweep), *T_map_odom * T_odom_base);
+      navigator_.see(navigation::sightingFrom(*taken.sweep),
+                     *T_map_odom * T_odom_base * taken.T_start_sweep);
     }
   }
 

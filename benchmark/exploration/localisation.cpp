@@ -39,19 +39,22 @@ class ByTruth : public Localisation {
       : intake_(config.scan_matcher.intake), front_end_(config.scan_matcher.front_end) {}
 
   void take(const TakenScan& taken) override {
-    auto sweep = intake_.process(*taken.scan, taken.mount, taken.motion_during_sweep).sweep;
+    auto [sweep, T_start_sweep, rejection, repairs] =
+        intake_.process(*taken.scan, taken.mount, taken.motion_during_sweep);
     if (!sweep) {
       return;
     }
+    const Pose2 T_world_base = taken.T_world_base * T_start_sweep;
+    const Pose2 T_odom_base = taken.T_odom_base * T_start_sweep;
     if (keyframes_.empty()) {
-      T_world_map_ = taken.T_world_base;
+      T_world_map_ = T_world_base;
     }
-    const Pose2 T_map_base = relativePose(T_world_map_, taken.T_world_base);
-    T_map_odom_ = T_map_base * taken.T_odom_base.inverse();
+    const Pose2 T_map_base = relativePose(T_world_map_, T_world_base);
+    T_map_odom_ = T_map_base * T_odom_base.inverse();
     if (keyframes_.empty() || isDue(T_map_base, sweep->stamp)) {
       const auto id = static_cast<graph::NodeId>(keyframes_.size());
       keyframes_.push_back(std::make_shared<const slam::Keyframe>(
-          slam::Keyframe{id, taken.T_odom_base, std::move(*sweep)}));
+          slam::Keyframe{id, T_odom_base, std::move(*sweep)}));
       poses_.push_back(T_map_base);
     }
   }

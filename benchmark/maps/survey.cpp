@@ -38,24 +38,25 @@ motion::OdometryBuffer truthOf(const RouteDrive& drive) {
   return truth;
 }
 
-/// The scans with these stamps, placed by the truth, free of the true motion during the sweep.
+/// The sweeps with these stamps, placed by the truth, free of the true motion during the sweep.
 std::vector<PlacedSweep> placeByTruth(const RouteDrive& drive, const sensing::LaserMount& mount,
                                       const std::vector<double>& stamps) {
   const motion::OdometryBuffer truth = truthOf(drive);
   std::map<double, const simulation::DriveScan*> scans;
   for (const simulation::DriveScan& taken : drive.scans) {
-    scans[taken.scan.stamp] = &taken;
+    scans[sensing::middleOfSweep(taken.scan)] = &taken;
   }
   std::vector<PlacedSweep> placed;
   for (const double stamp : stamps) {
     const sensing::LaserScan& scan = scans.at(stamp)->scan;
-    const Pose2 T_world_base = truth.at(stamp).value();
-    const double end = std::min(stamp + sensing::sweepDuration(scan), drive.truth.back().stamp);
+    const Pose2 T_world_base = truth.at(scan.stamp).value();
+    const double end =
+        std::min(scan.stamp + sensing::sweepDuration(scan), drive.truth.back().stamp);
     const Pose2 motion = relativePose(T_world_base, truth.at(end).value());
     // A new intake each time: what it remembers of earlier scans is no concern here.
     const auto result = sensing::ScanIntake({}).process(scan, mount, motion);
     if (result.sweep) {
-      placed.push_back({*result.sweep, T_world_base});
+      placed.push_back({*result.sweep, T_world_base * result.T_start_sweep});
     }
   }
   return placed;

@@ -96,7 +96,7 @@ class Driver {
     const auto taken = intake_.process(*events.scan, {robot_.config().T_base_laser, false},
                                        relativePose(first->pose, poses_.back().pose));
     if (taken.sweep) {
-      navigator_.see(navigation::sightingFrom(*taken.sweep), first->pose);
+      navigator_.see(navigation::sightingFrom(*taken.sweep), first->pose * taken.T_start_sweep);
     }
     poses_.erase(poses_.begin(), std::prev(poses_.end()));
   }

@@ -143,7 +143,8 @@ class NavigatorNode {
       return;
     }
     diagnostics_.accept(scan.stamp);
-    navigator_.see(navigation::sightingFrom(*taken.sweep), T_map_start.value->pose);
+    navigator_.see(navigation::sightingFrom(*taken.sweep),
+                   T_map_start.value->pose * taken.T_start_sweep);
   }
 
   void onOdometry(const nav_msgs::Odometry::ConstPtr& message) {

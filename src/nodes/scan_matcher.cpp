@@ -184,14 +184,18 @@ class ScanMatcherNode {
       diagnostics_.reject(taken.rejection);
       return;
     }
-    const motion::Prediction prediction = *track_.at(scan.stamp);
+    const double stamp = taken.sweep->stamp;
+    const geometry::Pose2 T_odom_base = track_.at(scan.stamp)->T_odom_base * taken.T_start_sweep;
+    const motion::Prediction prediction{stamp, T_odom_base, track_.at(stamp)->covariance};
     if (frozen_laser_.repeats(scan.ranges, prediction.T_odom_base)) {
       diagnostics_.reject(sensing::FrozenLaser::kRejection);
       return;
     }
     newest_scan_ = scan.stamp;
     diagnostics_.accept(scan.stamp);
-    publish(front_end_.process(*taken.sweep, prediction), waiting.message->header);
+    std_msgs::Header header = waiting.message->header;
+    header.stamp += ros::Duration(stamp - scan.stamp);
+    publish(front_end_.process(*taken.sweep, prediction), header);
   }
 
   void publish(const slam::FrontEndResult& result, std_msgs::Header header) {

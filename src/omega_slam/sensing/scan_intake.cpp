@@ -6,6 +6,7 @@
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/validation.h"
+#include "omega_slam/sensing/sweep_duration.h"
 
 namespace omega_slam::sensing {
 
@@ -15,8 +16,6 @@ namespace {
 
 /// No 2D laser sees farther [m]; where a scan states no limit, this one holds.
 constexpr double kFarthest = 1000.0;
-/// No sweep lasts longer [s]; a time_increment that says so is wrong.
-constexpr double kLongestSweep = 2.0;
 
 struct Limits {
   double min{0.0};        // [m] nearer: too close
@@ -71,15 +70,27 @@ Limits limitsOf(const LaserScan& scan, const ScanIntakeConfig& config,
   return limits;
 }
 
-/// Seconds between beams, or 0 where the scan's own statement makes no sense.
-double timeIncrementOf(const LaserScan& scan, std::vector<std::string>& repairs) {
-  const double sweep = scan.time_increment * static_cast<double>(scan.ranges.size());
-  if (!(sweep >= 0.0 && sweep <= kLongestSweep)) {
-    repairs.emplace_back("time_increment is senseless");
-    return 0.0;
+/// Where the base was while a sweep was taken, seen from the middle of it.
+class SweepMotion {
+ public:
+  /// @param T_start_end the whole motion
+  SweepMotion(const Pose2& T_start_end, std::size_t beams)
+      : T_start_middle_(interpolate(Pose2{}, T_start_end, 0.5)),
+        T_middle_first_(T_start_middle_.inverse()),
+        T_middle_last_(T_middle_first_ * T_start_end),
+        last_(std::max(1.0, static_cast<double>(beams) - 1.0)) {}
+
+  [[nodiscard]] const Pose2& fromStart() const { return T_start_middle_; }
+  [[nodiscard]] Pose2 at(std::size_t beam) const {
+    return interpolate(T_middle_first_, T_middle_last_, static_cast<double>(beam) / last_);
   }
-  return scan.time_increment;
-}
+
+ private:
+  Pose2 T_start_middle_;
+  Pose2 T_middle_first_;
+  Pose2 T_middle_last_;
+  double last_;
+};
 
 Eigen::Vector2d directionAt(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -131,12 +142,16 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
     return result;
   }
   const Limits limits = limitsOf(scan, config_, result.repairs);
-  const bool moves = timeIncrementOf(scan, result.repairs) > 0.0;
+  const bool moves = sweepDuration(scan) > 0.0;
+  if (!moves && scan.ranges.size() > 1 && scan.time_increment != 0.0) {
+    result.repairs.emplace_back("time_increment is senseless");
+  }
   const double turn = mount.upside_down ? -1.0 : 1.0;
-  const double last = std::max(1.0, static_cast<double>(scan.ranges.size() - 1));
+  const SweepMotion motion(moves ? motion_during_sweep : Pose2{}, scan.ranges.size());
+  result.T_start_sweep = motion.fromStart();
 
   const geometry::PointTransform T_base_laser(mount.T_base_laser);
-  Sweep sweep{scan.stamp, mount.T_base_laser, std::abs(scan.angle_increment), {}};
+  Sweep sweep{middleOfSweep(scan), mount.T_base_laser, std::abs(scan.angle_increment), {}};
   sweep.beams.reserve(scan.ranges.size());
   bool says_anything = false;
   // Turned from beam to beam: a sine of each takes as long as all else here, and after a thousand
@@ -144,13 +159,12 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
   Eigen::Vector2d direction = directionAt(turn * scan.angle_min);
   const Eigen::Vector2d step = directionAt(turn * scan.angle_increment);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const auto index = static_cast<double>(i);
     const Reading reading = readBeam(scan.ranges[i], limits, config_.nan_is_no_return);
     Beam beam;
     beam.kind = reading.kind;
     if (beam.kind != BeamKind::kUnknown) {
       const Eigen::Vector2d p_base = T_base_laser * (reading.range * direction);
-      beam.end = moves ? interpolate(Pose2{}, motion_during_sweep, index / last) * p_base : p_base;
+      beam.end = moves ? motion.at(i) * p_base : p_base;
       says_anything = true;
     }
     sweep.beams.push_back(beam);

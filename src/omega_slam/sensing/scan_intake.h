@@ -26,6 +26,7 @@ struct ScanIntakeConfig {
 /// A scan made safe, or the reason why there is none. Facts for the caller to count and report.
 struct ScanIntakeResult {
   std::optional<Sweep> sweep;
+  geometry::Pose2 T_start_sweep;  ///< motion of the base from the scan's stamp to the sweep's
   std::string rejection;  ///< why there is no sweep, a short stable phrase; empty if there is
   std::vector<std::string> repairs;  ///< what had to be mended, short stable phrases
 };
@@ -40,8 +41,8 @@ struct ScanIntakeResult {
 /// anything. The count of beams may differ from scan to scan.
 ///
 /// @param motion_during_sweep `T_start_end`, the motion of the base from the first beam to the
-/// last, by which
-///        beams are carried back to the stamp (constant velocity); the identity where none is known
+///        last, by which beams are carried to the middle of the sweep (constant velocity); the
+///        identity where none is known
 class ScanIntake {
  public:
   explicit ScanIntake(

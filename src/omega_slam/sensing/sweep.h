@@ -22,10 +22,13 @@ struct Beam {
 };
 
 /// One laser sweep in the robot's base frame, free of the motion during it: every beam's end is
-/// where it lies seen from the base at `stamp`. Beams stand in the order of the sweep,
+/// where it lies seen from the base at `stamp`, the middle of the sweep. What the motion is wrong
+/// by then turns its first half one way and its second half the other, and a match of the whole is
+/// nearly right; seen from the first beam, it would turn all of it by half of the error.
+/// Beams stand in the order of the sweep,
 /// counter-clockwise seen from above, so that neighbours in the list are neighbours in space.
 struct Sweep {
-  double stamp{0.0};             ///< [s]
+  double stamp{0.0};             ///< [s] the middle of the sweep
   geometry::Pose2 T_base_laser;  ///< the laser at the stamp; beams start at its origin
   double angle_increment{0.0};   ///< [rad] between neighbouring beams, > 0
   std::vector<Beam> beams;

@@ -10,4 +10,6 @@ double sweepDuration(const LaserScan& scan) {
   return duration >= 0.0 && duration <= kLongestSweep ? duration : 0.0;
 }
 
+double middleOfSweep(const LaserScan& scan) { return scan.stamp + 0.5 * sweepDuration(scan); }
+
 }  // namespace omega_slam::sensing

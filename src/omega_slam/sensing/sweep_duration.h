@@ -11,4 +11,7 @@ inline constexpr double kLongestSweep = 2.0;
 /// not finite, or a sweep longer than kLongestSweep), as ScanIntake reads it.
 [[nodiscard]] double sweepDuration(const LaserScan& scan);
 
+/// The time [s] halfway between the first beam and the last: that of a Sweep.
+[[nodiscard]] double middleOfSweep(const LaserScan& scan);
+
 }  // namespace omega_slam::sensing

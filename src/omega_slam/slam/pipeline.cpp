@@ -15,18 +15,20 @@ Pipeline::Pipeline(const PipelineConfig& config)
       back_end_(config.back_end) {}
 
 ScanOutcome Pipeline::process(const sensing::LaserScan& scan, const sensing::LaserMount& mount,
-                              const Pose2& T_odom_base, const Pose2& motion_during_sweep) {
+                              const Pose2& T_odom_start, const Pose2& motion_during_sweep) {
   ScanOutcome outcome;
-  if (!T_odom_base.isFinite()) {
+  if (!T_odom_start.isFinite()) {
     outcome.rejection = "odometry is not finite";
     return outcome;
   }
   sensing::ScanIntakeResult taken = intake_.process(scan, mount, motion_during_sweep);
+  const double stamp = taken.sweep ? taken.sweep->stamp : scan.stamp;
+  const Pose2 T_odom_base = T_odom_start * taken.T_start_sweep;
   outcome.rejection = taken.rejection;
   outcome.repairs = std::move(taken.repairs);
-  if (std::isfinite(scan.stamp)) {
+  if (std::isfinite(stamp)) {
     const auto newest = static_cast<graph::NodeId>(std::max<std::size_t>(keyframes_.size(), 1) - 1);
-    tracks_.push_back({scan.stamp, newest, carriedOn(T_odom_base), false});
+    tracks_.push_back({stamp, newest, carriedOn(T_odom_base), false});
   }
   if (taken.sweep && frozen_laser_.repeats(scan.ranges, T_odom_base)) {
     taken.sweep.reset();
@@ -35,7 +37,7 @@ ScanOutcome Pipeline::process(const sensing::LaserScan& scan, const sensing::Las
   if (!taken.sweep) {
     return outcome;
   }
-  const motion::Prediction prediction = predictor_.predict(scan.stamp, T_odom_base);
+  const motion::Prediction prediction = predictor_.predict(stamp, T_odom_base);
   const FrontEndResult result = front_end_.process(*taken.sweep, prediction);
   outcome.match_untrusted = result.match && !result.match_trusted;
   outcome.is_lost = result.is_lost;

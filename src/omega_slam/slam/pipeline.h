@@ -39,10 +39,10 @@ class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config = {});  ///< @throws std::invalid_argument
 
-  /// @param T_odom_base odometry at the scan's stamp
+  /// @param T_odom_start odometry at the scan's stamp
   /// @param motion_during_sweep see ScanIntake::process
   ScanOutcome process(const sensing::LaserScan& scan, const sensing::LaserMount& mount,
-                      const geometry::Pose2& T_odom_base,
+                      const geometry::Pose2& T_odom_start,
                       const geometry::Pose2& motion_during_sweep = {});
 
   /// The last solve, of everything. Call it once, after the last scan.
@@ -60,8 +60,8 @@ class Pipeline {
   [[nodiscard]] std::size_t retiredKeyframes() const { return back_end_.retired(); }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
 
-  /// One pose `T_map_base` for every scan that came with a finite stamp, in their order. Between
-  /// two keyframes what was tracked is bent so that it fits both.
+  /// One pose `T_map_base` for every scan that came with a finite stamp, in their order, at the
+  /// middle of its sweep. Between two keyframes what was tracked is bent so that it fits both.
   [[nodiscard]] geometry::Trajectory trajectory() const;
 
   /// The map that the keyframes give at their solved poses.

@@ -131,18 +131,46 @@ TEST(ScanIntake, TakesOutTheMotionDuringTheSweep) {
         T_room_base.theta + moving.angle_min + static_cast<double>(i) * moving.angle_increment));
   }
   const ScanIntake intake{ScanIntakeConfig{}};
+  const Pose2 T_room_middle = T_room_start * interpolate(Pose2{}, motion, 0.5);
   const auto farthestFromWalls = [&](const Sweep& sweep) {
     double farthest = 0.0;
     for (const Eigen::Vector2d& p_base : sweep.returns()) {
-      const Eigen::Vector2d p = T_room_start * p_base;
-      const Eigen::Vector2d ray = p - T_room_start.translation();
+      const Eigen::Vector2d p = T_room_middle * p_base;
+      const Eigen::Vector2d ray = p - T_room_middle.translation();
       const double to_wall = room.castRay(p - 0.3 * ray.normalized(), std::atan2(ray.y(), ray.x()));
       farthest = std::max(farthest, std::abs(to_wall - 0.3));
     }
     return farthest;
   };
   EXPECT_GT(farthestFromWalls(*intake.process(moving, {}).sweep), 0.05);
-  EXPECT_LT(farthestFromWalls(*intake.process(moving, {}, motion).sweep), 0.02);
+  const auto taken = intake.process(moving, {}, motion);
+  EXPECT_LT(farthestFromWalls(*taken.sweep), 0.02);
+  EXPECT_NEAR(taken.sweep->stamp, moving.stamp + 0.5 * 359.0 * moving.time_increment, 1e-12);
+  EXPECT_LT(distance(T_room_start * taken.T_start_sweep, T_room_middle), 1e-12);
+}
+
+TEST(ScanIntake, AWrongMotionDuringTheSweepDoesNotTurnItAsAWhole) {
+  const test::Room room = test::furnishedRoom();
+  std::mt19937_64 random(1);
+  LaserScan standing = test::measure(room, {0.2, 0.1, 0.3}, 360, 0.0, random);
+  const ScanIntake intake{ScanIntakeConfig{}};
+  const auto expected = *intake.process(standing, {}).sweep;
+  standing.time_increment = 0.2 / 360.0;
+  const auto turned = *intake.process(standing, {}, {0.0, 0.0, 0.1}).sweep;
+  double turn = 0.0;
+  for (std::size_t i = 0; i < turned.beams.size(); ++i) {
+    const Eigen::Vector2d& was = expected.beams[i].end;
+    const Eigen::Vector2d& is = turned.beams[i].end;
+    turn += std::atan2(was.x() * is.y() - was.y() * is.x(), was.dot(is));
+  }
+  EXPECT_NEAR(turn / static_cast<double>(turned.beams.size()), 0.0, 0.001);
+}
+
+TEST(ScanIntake, ASweepThatTakesNoTimeStandsForItsStamp) {
+  const LaserScan scan = threeBeams(1.0F, 1.0F, 1.0F);
+  const auto taken = ScanIntake({}).process(scan, {}, {0.1, 0.0, 0.1});
+  EXPECT_EQ(taken.sweep->stamp, scan.stamp);
+  EXPECT_EQ(taken.T_start_sweep.vector(), Eigen::Vector3d::Zero());
 }
 
 TEST(ScanIntake, AcceptsAnyCountOfBeams) {
