@@ -17,13 +17,25 @@ constexpr double kMostStep = 0.7;  // of the logarithm, at one way: a factor of 
 /// Squared Mahalanobis distance of which no more is believed: slips and wrong matches.
 constexpr double kMostSurprise = 12.0;
 
+using Axes = Eigen::Matrix<double, 2, 3>;
+
+/// The robot's way and its turn, of a robot with this heading.
+Axes alongAndTurn(double heading) {
+  Axes axes;
+  axes << std::cos(heading), std::sin(heading), 0.0,  //
+      0.0, 0.0, 1.0;
+  return axes;
+}
+
 }  // namespace
 
 void OdometryScale::note(const Belief& by_odometry, const Belief& by_match) {
-  const Eigen::Vector3d error = differenceOf(by_match.pose, by_odometry.pose);
-  const Eigen::Matrix3d odometry = scale_ * by_odometry.covariance;
-  const Eigen::Matrix3d inverse = (odometry + by_match.covariance).inverse();
-  const Eigen::Matrix3d share = inverse * odometry;
+  const Axes axes = alongAndTurn(by_odometry.pose.theta);
+  const Eigen::Vector2d error = axes * differenceOf(by_match.pose, by_odometry.pose);
+  const Eigen::Matrix2d odometry = scale_ * axes * by_odometry.covariance * axes.transpose();
+  const Eigen::Matrix2d match = axes * by_match.covariance * axes.transpose();
+  const Eigen::Matrix2d inverse = (odometry + match).inverse();
+  const Eigen::Matrix2d share = inverse * odometry;
   const double surprise = error.dot(inverse * error);
   if (!share.allFinite() || !std::isfinite(surprise)) {
     return;

@@ -13,6 +13,10 @@ namespace omega_slam::slam {
 /// Theory*, 1993, section 7.7, with its information matrix of section 3.9), where what was learnt
 /// is forgotten by and by. What a match does not know, such as a way along a bare corridor, has
 /// next to no part in it.
+///
+/// Asked are the way and the turn. What a robot on two wheels errs sideways follows from its turn;
+/// the odometry motion model, which puts all of a turn at the ends of a way, states three times the
+/// variance of wheels that drift all along.
 class OdometryScale {
  public:
   /// @param by_odometry the pose at the end of a way by the odometry, and how far it may be off,

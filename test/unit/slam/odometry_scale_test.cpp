@@ -18,15 +18,16 @@ Eigen::Matrix3d covarianceOf(double x, double y, double theta) {
   return Eigen::Vector3d(x, y, theta).cwiseAbs2().asDiagonal();
 }
 
-/// The scale after so many ways whose odometry is off by `error` in each direction, and the match
-/// by what it states.
-double scaleAfter(int ways, double error, const Eigen::Matrix3d& match) {
+/// The scale after so many ways of a robot that drives along x, whose odometry is off by `error`,
+/// sideways by a share of that, and the match by what it states.
+double scaleAfter(int ways, double error, const Eigen::Matrix3d& match, double sideways = 1.0) {
   OdometryScale scale;
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   const Eigen::Vector3d off = match.diagonal().cwiseSqrt();
   for (int i = 0; i < ways; ++i) {
-    const Pose2 by_odometry{error * normal(random), error * normal(random), error * normal(random)};
+    const Pose2 by_odometry{error * normal(random), sideways * error * normal(random),
+                            error * normal(random)};
     const Pose2 by_match{off[0] * normal(random), off[1] * normal(random), off[2] * normal(random)};
     scale.note({by_odometry, covarianceOf(kStated, kStated, kStated)}, {by_match, match});
   }
@@ -48,6 +49,13 @@ TEST(OdometryScale, IsLearntAlongACorridorFromTheRest) {
   const double scale = scaleAfter(300, 2.0 * kStated, match);
   EXPECT_GT(scale, 2.0);
   EXPECT_LT(scale, 7.0);
+}
+
+TEST(OdometryScale, WhatIsStatedOfErrorsSidewaysDoesNotCount) {
+  const Eigen::Matrix3d match = covarianceOf(kMatch, kMatch, kMatch);
+  const double scale = scaleAfter(300, 2.0 * kStated, match, 0.1);
+  EXPECT_GT(scale, 2.4);
+  EXPECT_LT(scale, 6.4);
 }
 
 TEST(OdometryScale, StaysWhereNothingIsSeen) {
