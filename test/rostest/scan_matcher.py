@@ -307,16 +307,18 @@ class ScanMatcherTest(NodeTest):
         self.waitForDiagnostic('scan_matcher: input', 'accepted', 12)
         self.waitForHealth(NAME, DiagnosticStatus.ERROR, 'lost')
         self.assertNothingElse(self.keyframes, 3)
-        carried = Pose(1.5, 0.3, 2.0)  # and is set down
+        carried = Pose(1.5, 0.3, 2.0)  # and is set down, and looks around
+        turned = 0.35  # [rad] from scan to scan
         for step in range(20):
-            motion = Pose(0.05 * step, 0.0, 0.0)
+            motion = Pose(0.0, 0.0, turned * step)
             self.scans.publish(roomScan(12 + step, carried * motion * MOUNT))
             self.predict(12 + step, measuredPose(2) * motion)
         found = self.keyframes.waitFor(lambda m: m.id == 3, 'a keyframe where it was found')
         tie = self.constraints.waitFor(
             lambda m: any(c.to_id == 3 for c in m.constraints), 'its tie').constraints[0]
         self.assertEqual(tie.kind, Constraint.MATCH)
-        truth = carried * Pose(0.05 * (found.header.stamp.to_sec() - stamp(12).to_sec()), 0.0, 0.0)
+        steps = found.header.stamp.to_sec() - stamp(12).to_sec()
+        truth = carried * Pose(0.0, 0.0, turned * steps)
         self.assertLess((truePose(tie.from_id) * Pose.of(tie.pose)).distance(truth), 0.05)
         self.assertFalse(lost.waitForCount(3)[2].data)
 

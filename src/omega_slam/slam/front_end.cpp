@@ -101,12 +101,13 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
   result.is_lost = judge_.isLost();
   result.keyframe_before = surroundings_.keyframes().back()->id;
   if (judge_.isLost()) {
-    const auto found =
-        relocaliser_.look(view, prediction.T_odom_base, beliefInMap().pose, surroundings_.known());
+    const auto found = relocaliser_.look(view, prediction.T_odom_base, surroundings_.known());
     if (found) {
       resumeAt(*found, sweep, prediction, result);
       return result;
     }
+  } else {
+    relocaliser_.rest();
   }
   result.T_keyframe_base = relativePose(surroundings_.newest(), belief_.pose);
   result.belief = beliefInMap();
@@ -248,6 +249,7 @@ void FrontEnd::resumeAt(const Relocation& found, const sensing::Sweep& sweep,
   result.belief = beliefInMap();
   odometry_jumped_ = false;
   judge_.rest();
+  relocaliser_.rest();
 }
 
 /// What the odometry says of the motion between two keyframes. The prediction's covariance is of

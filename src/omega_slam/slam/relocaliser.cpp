@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace omega_slam::slam {
 
@@ -11,15 +10,43 @@ using graph::NodeId;
 
 namespace {
 
-constexpr double kSpacing = 2.0;  // [m] of the places that are tried
-constexpr NodeId kReach = 3;      // keyframes on each side that belong to a place
+constexpr double kSpacing = 2.0;   // [m] of the places that are tried
+constexpr NodeId kReach = 3;       // keyframes on each side that belong to a place
+constexpr int kPlacesPerLook = 3;  // of which each takes a wide search
 
 /// Around a place, up to the next one; the robot may look anywhere.
 constexpr matching::SearchWindow kAnywhere{kSpacing, 3.15};
-constexpr matching::SearchWindow kWhereRivalsMayBe{6.0, 3.15};
-/// Where a guess puts the robot after it has moved on.
+/// Fits nearer to each other than this are one.
+constexpr double kSame = 0.4;  // [m], [rad]
+/// Of the confidence of the best fit: another one with more may be it as well.
+constexpr double kRival = 0.9;
+
+/// A guess is looked at again whenever the robot has moved on by so much, and has to be confirmed
+/// so many times more than not: three metres lead out of a room that looks like another.
+constexpr double kMovedOn = 0.5;   // [m]
+constexpr double kTurnedOn = 0.7;  // [rad]
+constexpr int kConfirmations = 6;
+/// Where a guess puts the robot then.
 constexpr matching::SearchWindow kThere{0.4, 0.2};
-constexpr double kMovedOn = 0.2;  // [m], [rad]
+
+bool isSame(const Pose2& a, const Pose2& b) {
+  const Pose2 gap = relativePose(a, b);
+  return std::hypot(gap.x, gap.y) < kSame && std::abs(gap.theta) < kSame;
+}
+
+/// Places all over the graph, with some distance between them.
+std::vector<NodeId> placesOf(const std::vector<Pose2>& poses) {
+  std::vector<NodeId> places;
+  for (NodeId id = 0; id < poses.size(); ++id) {
+    const bool is_new = std::none_of(places.begin(), places.end(), [&](NodeId other) {
+      return distance(poses[other], poses[id]) < kSpacing;
+    });
+    if (is_new) {
+      places.push_back(id);
+    }
+  }
+  return places;
+}
 
 NodeId nearestTo(const Pose2& pose, const std::vector<Pose2>& poses) {
   const auto nearest = std::min_element(
@@ -33,32 +60,66 @@ NodeId nearestTo(const Pose2& pose, const std::vector<Pose2>& poses) {
 Relocaliser::Relocaliser(const PlaceMatcherConfig& config) : matcher_(config) {}
 
 std::optional<Relocation> Relocaliser::look(const matching::View& scan, const Pose2& T_odom_base,
-                                            const Pose2& believed, const KnownPlaces& known) {
+                                            const KnownPlaces& known) {
   if (known.poses.empty()) {
     return std::nullopt;
   }
   if (guess_) {
-    const Pose2 motion = relativePose(guess_->T_odom_base, T_odom_base);
-    if (std::hypot(motion.x, motion.y) < kMovedOn && std::abs(motion.theta) < kMovedOn) {
-      return std::nullopt;
-    }
-    const Pose2 expected = std::exchange(guess_, std::nullopt)->T_map_base * motion;
-    return tryAt(nearestTo(expected, known.poses), scan, expected, kThere, known);
+    return confirm(scan, T_odom_base, known);
   }
   if (places_.empty()) {
-    listPlaces(believed, known);
+    round_ = {scan, T_odom_base};
+    fits_.clear();
+    places_ = placesOf(known.poses);
   }
-  const NodeId place = places_.back();
-  places_.pop_back();
-  if (!tryAt(place, scan, known.poses[place], kAnywhere, known)) {
-    return std::nullopt;
+  for (int i = 0; i < kPlacesPerLook && !places_.empty(); ++i) {
+    const NodeId place = places_.back();
+    places_.pop_back();
+    if (const auto fit = tryAt(place, round_.scan, known.poses[place], kAnywhere, known)) {
+      fits_.push_back({known.poses[place] * fit->match.T_reference_scan, fit->match.confidence});
+    }
   }
-  // It may be the far end of the room that looks alike.
-  const auto found = tryAt(place, scan, known.poses[place], kWhereRivalsMayBe, known);
-  if (found) {
-    guess_ = Guess{known.poses[place] * found->match.T_reference_scan, T_odom_base};
+  if (places_.empty()) {
+    guessFromRound();
   }
   return std::nullopt;
+}
+
+/// All places have been tried: it is one of them, or none, or several look alike.
+void Relocaliser::guessFromRound() {
+  const auto best = std::max_element(fits_.begin(), fits_.end(), [](const Fit& a, const Fit& b) {
+    return a.confidence < b.confidence;
+  });
+  const bool has_rival = std::any_of(fits_.begin(), fits_.end(), [&](const Fit& fit) {
+    return fit.confidence > kRival * best->confidence && !isSame(fit.T_map_base, best->T_map_base);
+  });
+  if (!fits_.empty() && !has_rival) {
+    guess_ = Guess{best->T_map_base, round_.T_odom_base, 0};
+  }
+}
+
+/// Looks again once the robot has moved on.
+std::optional<Relocation> Relocaliser::confirm(const matching::View& scan, const Pose2& T_odom_base,
+                                               const KnownPlaces& known) {
+  const Pose2 motion = relativePose(guess_->T_odom_base, T_odom_base);
+  if (std::hypot(motion.x, motion.y) < kMovedOn && std::abs(motion.theta) < kTurnedOn) {
+    return std::nullopt;
+  }
+  const Pose2 expected = guess_->T_map_base * motion;
+  const NodeId place = nearestTo(expected, known.poses);
+  const auto found = tryAt(place, scan, expected, kThere, known);
+  const int confirmations = guess_->confirmations + (found ? 1 : -1);
+  guess_ = Guess{found ? known.poses[place] * found->match.T_reference_scan : expected, T_odom_base,
+                 confirmations};
+  if (confirmations < 0) {
+    guess_.reset();
+  }
+  return confirmations >= kConfirmations ? found : std::nullopt;
+}
+
+void Relocaliser::rest() {
+  places_.clear();
+  guess_.reset();
 }
 
 /// @param guess `T_map_base`
@@ -69,25 +130,6 @@ std::optional<Relocation> Relocaliser::tryAt(NodeId place, const matching::View&
   const auto around = placeAround(place, kReach, known);
   const auto match = matcher_.match(around, scan, relativePose(known.poses[place], guess), window);
   return match ? std::optional<Relocation>({place, *match}) : std::nullopt;
-}
-
-/// Places all over the graph, with some distance between them.
-void Relocaliser::listPlaces(const Pose2& believed, const KnownPlaces& known) {
-  std::vector<std::pair<double, NodeId>> by_distance;
-  for (NodeId id = 0; id < known.poses.size(); ++id) {
-    by_distance.emplace_back(distance(known.poses[id], believed), id);
-  }
-  std::sort(by_distance.begin(), by_distance.end());
-  for (const auto& [away, id] : by_distance) {
-    const Pose2& pose = known.poses[id];
-    const bool is_new = std::none_of(places_.begin(), places_.end(), [&](NodeId other) {
-      return distance(known.poses[other], pose) < kSpacing;
-    });
-    if (is_new) {
-      places_.push_back(id);
-    }
-  }
-  std::reverse(places_.begin(), places_.end());
 }
 
 }  // namespace omega_slam::slam

@@ -16,11 +16,10 @@ struct Relocation {
   matching::MatchResult match;  ///< `T_keyframe_base`
 };
 
-/// Finds a lost robot again, wherever in the graph it is: all places are tried, one with each scan,
-/// so that a scan takes no longer than one wide search; those near where the robot was last
-/// believed to be come first. One fit is not enough, since rooms look alike: nothing else within 6
-/// m may fit nearly as well, and once the robot has moved on, by its odometry, what it sees then
-/// must fit there too.
+/// Finds a lost robot again, wherever in the graph it is. One scan is laid on all places, a few
+/// with each call, so that no scan takes long. One fit is not enough, since rooms look alike:
+/// nothing else in the whole graph may fit nearly as well, and what the robot sees on the next
+/// three metres, or while it turns on, must fit there too.
 ///
 /// Not thread-safe.
 class Relocaliser {
@@ -28,26 +27,42 @@ class Relocaliser {
   explicit Relocaliser(const PlaceMatcherConfig& config);  ///< @throws std::invalid_argument
 
   /// @param scan from the base
-  /// @param believed `T_map_base`, by the odometry since the robot was lost
+  /// @param T_odom_base odometry at its stamp
   [[nodiscard]] std::optional<Relocation> look(const matching::View& scan,
                                                const geometry::Pose2& T_odom_base,
-                                               const geometry::Pose2& believed,
                                                const KnownPlaces& known);
 
+  void rest();  ///< the robot is not lost any more
+
  private:
+  /// The scan that is laid on all places.
+  struct Round {
+    matching::View scan;
+    geometry::Pose2 T_odom_base;
+  };
+  struct Fit {
+    geometry::Pose2 T_map_base;
+    double confidence{0.0};
+  };
   struct Guess {
     geometry::Pose2 T_map_base;
     geometry::Pose2 T_odom_base;
+    int confirmations{0};  ///< looks since that have fitted, less those that have not
   };
 
+  [[nodiscard]] std::optional<Relocation> confirm(const matching::View& scan,
+                                                  const geometry::Pose2& T_odom_base,
+                                                  const KnownPlaces& known);
+  void guessFromRound();
   [[nodiscard]] std::optional<Relocation> tryAt(graph::NodeId place, const matching::View& scan,
                                                 const geometry::Pose2& guess,
                                                 const matching::SearchWindow& window,
                                                 const KnownPlaces& known) const;
-  void listPlaces(const geometry::Pose2& believed, const KnownPlaces& known);
 
   PlaceMatcher matcher_;
-  std::vector<graph::NodeId> places_;  ///< still to be tried in this round, the next last
+  Round round_;
+  std::vector<graph::NodeId> places_;  ///< still to be tried in this round
+  std::vector<Fit> fits_;              ///< of this round, at the places tried
   std::optional<Guess> guess_;         ///< to be confirmed
 };
 

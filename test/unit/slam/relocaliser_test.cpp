@@ -32,9 +32,8 @@ class RelocaliserTest : public ::testing::Test {
   /// @return the looks that it took; 0 if none was enough
   int looksUntilFound(const std::vector<Pose2>& way) {
     for (std::size_t i = 0; i < way.size(); ++i) {
-      found_ =
-          relocaliser_.look(viewOf(sweepAt(way[i], 100 + i)), relativePose(way.front(), way[i]),
-                            {20.0, 20.0, 0.0}, {keyframes_, poses_});
+      found_ = relocaliser_.look(viewOf(sweepAt(way[i], 100 + i)),
+                                 relativePose(way.front(), way[i]), {keyframes_, poses_});
       if (found_) {
         truth_ = way[i];
         return static_cast<int>(i) + 1;
@@ -58,20 +57,41 @@ std::vector<Pose2> along(const Pose2& start, double step, int count) {
   return way;
 }
 
+constexpr double kStep = 0.25;  // [m]
+const Pose2 kSetDown{2.4, 0.9, 3.2};
+
 TEST_F(RelocaliserTest, FindsARobotThatIsAnywhereAndLooksAnywhere) {
-  ASSERT_GT(looksUntilFound(along({1.0, 1.5, 2.6}, 0.1, 15)), 2) << "one fit is not enough";
+  const int looks = looksUntilFound(along(kSetDown, kStep, 18));
+  ASSERT_GT(looks * kStep, 3.0) << "one fit is not enough";
   const Pose2 pose = poses_[found_->keyframe] * found_->match.T_reference_scan;
   EXPECT_LT(test::gapBetween(pose, truth_).translation, 0.05);
   EXPECT_LT(test::gapBetween(pose, truth_).rotation, 0.03);
 }
 
+TEST_F(RelocaliserTest, DoesNotChooseBetweenRoomsThatLookAlike) {
+  const std::size_t rooms = poses_.size();
+  for (std::size_t k = 0; k < rooms; ++k) {
+    keyframes_.push_back(keyframes_[k]);
+    poses_.push_back(Pose2{30.0, 0.0, 0.0} * poses_[k]);
+  }
+  EXPECT_EQ(looksUntilFound(along(kSetDown, kStep, 18)), 0);
+}
+
+TEST_F(RelocaliserTest, BeginsAnewAfterARest) {
+  const auto way = along(kSetDown, kStep, 18);
+  const auto half = way.begin() + 9;
+  EXPECT_EQ(looksUntilFound({way.begin(), half}), 0);
+  relocaliser_.rest();
+  EXPECT_EQ(looksUntilFound({half, way.end()}), 0) << "what was confirmed before does not count";
+}
+
 TEST_F(RelocaliserTest, WaitsUntilTheRobotHasMovedOn) {
-  EXPECT_EQ(looksUntilFound(along({1.0, 1.5, 2.6}, 0.0, 30)), 0);
+  EXPECT_EQ(looksUntilFound(along(kSetDown, 0.0, 30)), 0);
 }
 
 TEST_F(RelocaliserTest, KnowsNoPlaceWithoutAGraph) {
   poses_.clear();
-  EXPECT_EQ(looksUntilFound(along({1.0, 1.5, 2.6}, 0.1, 10)), 0);
+  EXPECT_EQ(looksUntilFound(along(kSetDown, kStep, 10)), 0);
 }
 
 TEST_F(RelocaliserTest, DoesNotFindWhatIsElsewhere) {
@@ -83,7 +103,7 @@ TEST_F(RelocaliserTest, DoesNotFindWhatIsElsewhere) {
     const Pose2 pose{0.1 * i, 0.0, 0.0};
     const auto scan = test::measure(other, pose, 360, 0.01, random);
     const auto view = viewOf(*sensing::ScanIntake({}).process(scan, {}).sweep);
-    EXPECT_FALSE(relocaliser_.look(view, pose, {}, {keyframes_, poses_})) << i;
+    EXPECT_FALSE(relocaliser_.look(view, pose, {keyframes_, poses_})) << i;
   }
 }
 
