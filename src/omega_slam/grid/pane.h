@@ -18,8 +18,7 @@ struct Pane {
 /// What a robot has most likely bumped into where the map shows nothing: a pane of glass that fills
 /// a gap in a wall. It goes straight through the place that was touched, ends at an obstacle on
 /// either side, and behind both ends the wall runs on in line with it; so nothing is found across a
-/// corridor, whose walls do not. Of several that do, it is the
-/// shortest.
+/// corridor, whose walls do not. Of several that do, it is the shortest.
 /// @param touched [m] in the map; within a hand's breadth of an obstacle that was touched instead
 /// @param normal [m] any length but 0: from the robot to that place, as well as a bumper knows it;
 /// the pane runs across it, give or take 29 degrees
