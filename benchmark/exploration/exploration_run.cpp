@@ -7,10 +7,10 @@
 #include "exploration/map_in_step.h"
 #include "exploration/thread_timer.h"
 #include "omega_slam/config/slam_config.h"
+#include "omega_slam/evaluation/rigid_fit.h"
 #include "omega_slam/motion/odometry_buffer.h"
 #include "omega_slam/navigation/navigator.h"
 #include "omega_slam/navigation/sighting.h"
-#include "omega_slam/sensing/sweep_duration.h"
 #include "omega_slam/simulation/turtlebot.h"
 
 namespace omega_slam::experiments {
@@ -139,8 +139,8 @@ class Run {
       navigator_.moveMap({graph_poses_, localisation_->poses()});
       graph_poses_ = localisation_->poses();
     }
-    if (localisation_->keyframes().size() == 1 && !T_world_map_) {
-      T_world_map_ = truth_.at(sensing::middleOfSweep(scan)).value();
+    if (const auto& keyframes = localisation_->keyframes(); keyframes.size() > true_poses_.size()) {
+      true_poses_.push_back(truth_.at(keyframes.back()->sweep.stamp).value());
     }
     const auto taken = intake_.process(scan, mount, during);
     if (const auto T_map_odom = localisation_->mapFromOdom(); taken.sweep && T_map_odom) {
@@ -243,9 +243,20 @@ class Run {
                                                                : outcome_.times.standing;
   }
 
+  /// Where the map lies in the world: as its keyframes do, and not as the first of them alone,
+  /// whose heading moves what is far from it.
+  [[nodiscard]] Pose2 placeOfMap() const {
+    const std::vector<Pose2>& poses = localisation_->poses();
+    std::vector<evaluation::PointPair> pairs;
+    for (std::size_t k = 0; k < true_poses_.size(); ++k) {
+      pairs.push_back({poses[k].translation(), true_poses_[k].translation()});
+    }
+    return evaluation::fitRigidMotion(pairs, true_poses_.front().theta - poses.front().theta);
+  }
+
   void sample() {
-    const double coverage = newest_map_ && T_world_map_ && setup_.seeable != nullptr
-                                ? setup_.seeable->knownShare(*newest_map_, *T_world_map_)
+    const double coverage = newest_map_ && setup_.seeable != nullptr
+                                ? setup_.seeable->knownShare(*newest_map_, placeOfMap())
                                 : 0.0;
     outcome_.samples.push_back({robot_.time() - robot_config_.start_time, driven_, coverage});
   }
@@ -264,7 +275,7 @@ class Run {
   motion::Twist2 velocity_;
   simulation::Bumper bumper_;
   std::vector<Pose2> graph_poses_;
-  std::optional<Pose2> T_world_map_;
+  std::vector<Pose2> true_poses_;  ///< `T_world_base` of each keyframe
   std::shared_ptr<const grid::OccupancyGrid> newest_map_;
   std::optional<std::uint64_t> goal_;
   double driven_{0.0};
