@@ -269,12 +269,13 @@ class MapBuilderTest(NodeTest):
         unstamped = poseGraph(RUN, PATH)
         unstamped.stamps = unstamped.stamps[:-1]
         self.graphs.publish(unstamped)
-        self.graphs.publish(poseGraph(RUN, [Pose(), Pose(0.5, math.nan, 0.0), Pose()]))
         for cause in ('keyframe lists differ in length', 'keyframe has a beam that is not finite',
                       'keyframe has a beam of unknown kind',
-                      'pose graph has not as many stamps as poses',
-                      'pose graph has numbers that are not finite'):
+                      'pose graph has not as many stamps as poses'):
             self.waitForRejections(NAME, cause, 1)
+        # Of two graphs at once a busy node takes the newer only.
+        self.graphs.publish(poseGraph(RUN, [Pose(), Pose(0.5, math.nan, 0.0), Pose()]))
+        self.waitForRejections(NAME, 'pose graph has numbers that are not finite', 1)
         # Poses beyond all maps are no reason to fall over.
         self.graphs.publish(poseGraph(RUN, [Pose(), Pose(1e9, 0.0, 0.0), Pose()]))
         self.waitForDiagnostic('map_builder: health', 'keyframes in the map', 2)
