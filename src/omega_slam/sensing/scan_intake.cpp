@@ -70,6 +70,14 @@ Limits limitsOf(const LaserScan& scan, const ScanIntakeConfig& config,
   return limits;
 }
 
+bool takesTime(const LaserScan& scan, std::vector<std::string>& repairs) {
+  const bool takes_time = sweepDuration(scan) > 0.0;
+  if (!takes_time && scan.ranges.size() > 1 && scan.time_increment != 0.0) {
+    repairs.emplace_back("time_increment is senseless");
+  }
+  return takes_time;
+}
+
 /// Where the base was while a sweep was taken, seen from the middle of it.
 class SweepMotion {
  public:
@@ -142,10 +150,7 @@ ScanIntakeResult ScanIntake::process(const LaserScan& scan, const LaserMount& mo
     return result;
   }
   const Limits limits = limitsOf(scan, config_, result.repairs);
-  const bool moves = sweepDuration(scan) > 0.0;
-  if (!moves && scan.ranges.size() > 1 && scan.time_increment != 0.0) {
-    result.repairs.emplace_back("time_increment is senseless");
-  }
+  const bool moves = takesTime(scan, result.repairs);
   const double turn = mount.upside_down ? -1.0 : 1.0;
   const SweepMotion motion(moves ? motion_during_sweep : Pose2{}, scan.ranges.size());
   result.T_start_sweep = motion.fromStart();
