@@ -247,9 +247,10 @@ class ScanMatcherTest(NodeTest):
         self.scans.publish(sweep)
         self.predict(0.0)
         self.predict(1.0, Pose(1.0, 0.0, 0.0))
-        keyframe = self.keyframe(0, 0.0)
-        self.assertAlmostEqual(keyframe.x[0], 5.0, places=3)
-        self.assertAlmostEqual(keyframe.x[1], 1.0 + 4.0 * math.cos(0.01), places=3)
+        keyframe = self.keyframe(0, 0.5)  # seen from halfway
+        self.assertAlmostEqual(keyframe.odometry.x, 0.5, places=3)
+        self.assertAlmostEqual(keyframe.x[0], 4.5, places=3)
+        self.assertAlmostEqual(keyframe.x[1], 0.5 + 4.0 * math.cos(0.01), places=3)
 
     def testTimeJumpingBackBeginsANewRun(self):
         self.start()
