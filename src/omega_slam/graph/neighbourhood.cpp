@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/graph/constraints_by_node.h"
 
 namespace omega_slam::graph {
 
@@ -17,35 +17,6 @@ constexpr NodeId kNone = static_cast<NodeId>(-1);
 
 /// [m] How far the rest may lie: what a turn moves it by.
 constexpr double kArm = 20.0;
-
-/// Which constraints each node has.
-class Ties {
- public:
-  explicit Ties(const PoseGraph& graph)
-      : first_(graph.poses.size() + 1, 0), ties_(2 * graph.constraints.size()) {
-    for (const Constraint& constraint : graph.constraints) {
-      ++first_[constraint.from];
-      ++first_[constraint.to];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    for (std::size_t k = graph.constraints.size();
-         k-- > 0;) {  // backwards, which leaves the firsts
-      ties_[--first_[graph.constraints[k].from]] = k;
-      ties_[--first_[graph.constraints[k].to]] = k;
-    }
-  }
-
-  template <class Visitor>
-  void visit(NodeId node, Visitor visitor) const {
-    for (std::size_t i = first_[node]; i < first_[node + std::size_t{1}]; ++i) {
-      visitor(ties_[i]);
-    }
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> ties_;
-};
 
 }  // namespace
 
@@ -69,9 +40,9 @@ void Neighbourhood::reachFor(NodeId node, int steps) {
 
 /// Breadth first. What ties nodes of the rim to each other moves nothing, and is left out.
 void Neighbourhood::grow(const PoseGraph& whole, int reach) {
-  const Ties ties(whole);
+  const ConstraintsByNode ties(whole);
   for (std::size_t i = 0; i < nodes_.size() && steps_[i] < reach; ++i) {
-    ties.visit(nodes_[i], [&](std::size_t k) {
+    ties.forEach(nodes_[i], [&](std::size_t k) {
       const Constraint& constraint = whole.constraints[k];
       const NodeId other = constraint.from == nodes_[i] ? constraint.to : constraint.from;
       reachFor(other, steps_[i] + 1);
