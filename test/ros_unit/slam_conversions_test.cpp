@@ -13,6 +13,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 slam::Keyframe makeKeyframe() {
   slam::Keyframe keyframe;
   keyframe.id = 4;
+  keyframe.stretch = 2;
   keyframe.T_odom_base = {1.0, 2.0, 0.5};
   keyframe.sweep.stamp = 7.5;
   keyframe.sweep.T_base_laser = {0.1, 0.0, -0.2};
@@ -49,6 +50,7 @@ TEST(SlamConversions, KeyframesComeBackAsTheyWent) {
   ASSERT_TRUE(read.value) << read.fault;
   const slam::Keyframe sent = makeKeyframe();
   EXPECT_EQ(read.value->id, sent.id);
+  EXPECT_EQ(read.value->stretch, sent.stretch);
   EXPECT_EQ(read.value->T_odom_base.vector(), sent.T_odom_base.vector());
   EXPECT_EQ(read.value->sweep.T_base_laser.vector(), sent.sweep.T_base_laser.vector());
   EXPECT_EQ(read.value->sweep.stamp, sent.sweep.stamp);
@@ -79,6 +81,8 @@ TEST(SlamConversions, FaultyKeyframesAreRefusedWithTheReason) {
   EXPECT_EQ(faultAfter([](Keyframe& m) { m.y.push_back(0.0F); }),
             "keyframe lists differ in length");
   EXPECT_EQ(faultAfter([](Keyframe& m) { m.kind.clear(); }), "keyframe lists differ in length");
+  EXPECT_EQ(faultAfter([](Keyframe& m) { m.stretch = 5; }),
+            "keyframe has a stretch that begins after it");
   EXPECT_EQ(faultAfter([](Keyframe& m) { m.kind[0] = 3; }), "keyframe has a beam of unknown kind");
   EXPECT_EQ(faultAfter([](Keyframe& m) { m.kind[1] = Keyframe::RETURN; }),
             "keyframe has a beam that is not finite");

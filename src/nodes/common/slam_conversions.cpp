@@ -66,8 +66,12 @@ Reading<slam::Keyframe> keyframeFromRos(const Keyframe& keyframe) {
   if (keyframe.angle_increment <= 0.0) {
     return {std::nullopt, "keyframe has an angle_increment that is not positive"};
   }
+  if (keyframe.stretch > keyframe.id) {
+    return {std::nullopt, "keyframe has a stretch that begins after it"};
+  }
   slam::Keyframe read;
   read.id = keyframe.id;
+  read.stretch = keyframe.stretch;
   read.T_odom_base = *T_odom_base;
   read.sweep.stamp = keyframe.header.stamp.toSec();
   read.sweep.T_base_laser = *T_base_laser;
@@ -89,6 +93,7 @@ Keyframe keyframeToRos(const slam::Keyframe& keyframe, const std_msgs::Header& h
   message.header = header;
   message.run = run;
   message.id = keyframe.id;
+  message.stretch = keyframe.stretch;
   message.odometry = pose2ToRos(keyframe.T_odom_base);
   message.laser = pose2ToRos(keyframe.sweep.T_base_laser);
   message.angle_increment = keyframe.sweep.angle_increment;

@@ -36,6 +36,11 @@ constexpr NodeId kPairs = 2;
 /// [s] by which stamps may be wrong: some computers hand on late what came in time.
 constexpr double kLatency = 0.3;
 
+/// A step of which less is known is one in the dark: a scan that nothing was seen before for long.
+/// [m], [rad]; of what kStepShare leaves.
+constexpr double kDarkTranslation = 0.1;
+constexpr double kDarkRotation = 0.03;
+
 /// What is known of a motion during which the odometry has jumped, at least.
 constexpr double kJumpTranslation = 0.5;  // [m]
 constexpr double kJumpRotation = 0.5;     // [rad]
@@ -44,6 +49,12 @@ Eigen::Matrix3d nearlyNothing() {
   return Eigen::Vector3d(kJumpTranslation, kJumpTranslation, kJumpRotation)
       .cwiseAbs2()
       .asDiagonal();
+}
+
+bool isInTheDark(const OdometryStep& step) {
+  const Eigen::Vector3d variances = step.covariance.diagonal();
+  return std::sqrt(variances.head<2>().sum()) > kDarkTranslation ||
+         std::sqrt(variances.z()) > kDarkRotation;
 }
 
 Eigen::Matrix3d withoutNegatives(const Eigen::Matrix3d& matrix) {
@@ -111,7 +122,9 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
   }
   result.T_keyframe_base = relativePose(surroundings_.newest(), belief_.pose);
   result.belief = beliefInMap();
-  if (!tracked.is_contradicted && !judge_.isLost()) {
+  if (isOutOfTheDark(tracked, step)) {
+    beginStretch(sweep, prediction, tracked, result);
+  } else if (!tracked.is_contradicted && !judge_.isLost()) {
     const double seconds = sweep.stamp - surroundings_.keyframes().back()->sweep.stamp;
     if (config_.isKeyframeDue(result.T_keyframe_base, seconds)) {
       makeKeyframe(sweep, prediction, tracked, result);
@@ -128,12 +141,20 @@ TrackedScan FrontEnd::follow(const matching::View& view, const OdometryStep& ste
   if (!tracked.is_trusted && !judge_.isLost()) {
     tracked = tracker_.recover(surroundings_.map(), view, tracked);
   }
-  judge_.note(tracked, step.motion, seconds);
+  if (!isOutOfTheDark(tracked, step)) {
+    judge_.note(tracked, step.motion, seconds);
+  }
   if (judge_.isLost()) {
     tracked.belief = tracked.predicted;
     tracked.is_trusted = false;
   }
   return tracked;
+}
+
+/// Whether the robot has driven on unseen, to where nothing ties it to what it had seen before. Its
+/// odometry still says where that is: it is not lost.
+bool FrontEnd::isOutOfTheDark(const TrackedScan& tracked, const OdometryStep& step) const {
+  return !tracked.is_trusted && !judge_.isLost() && !odometry_jumped_ && isInTheDark(step);
 }
 
 Belief FrontEnd::beliefInMap() const {
@@ -177,16 +198,15 @@ OdometryStep FrontEnd::stepTo(const motion::Prediction& prediction, FrontEndResu
   return step;
 }
 
-KeyframePtr FrontEnd::keep(const sensing::Sweep& sweep,
-                           const motion::Prediction& prediction) const {
-  const NodeId id = surroundings_.keyframes().back()->id + 1;
-  return std::make_shared<const Keyframe>(Keyframe{id, prediction.T_odom_base, sweep});
+KeyframePtr FrontEnd::keep(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                           NodeId stretch) const {
+  return std::make_shared<const Keyframe>(Keyframe{next(), prediction.T_odom_base, sweep, stretch});
 }
 
 void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                             const TrackedScan& tracked, FrontEndResult& result) {
   const Keyframe& before = *surroundings_.keyframes().back();
-  result.keyframe = keep(sweep, prediction);
+  result.keyframe = keep(sweep, prediction, before.stretch);
   result.constraints.push_back(
       odometryConstraint(before, *result.keyframe, prediction.covariance, tracked));
   if (tracked.is_trusted) {
@@ -202,6 +222,19 @@ void FrontEnd::makeKeyframe(const sensing::Sweep& sweep, const motion::Predictio
   }
   surroundings_.add(result.keyframe, belief_.pose);
   odometry_jumped_ = false;
+}
+
+/// Keyframes that only the odometry ties to those before, until a loop does. What was drawn would
+/// stand beside where it is by as much as the odometry is wrong.
+void FrontEnd::beginStretch(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                            const TrackedScan& tracked, FrontEndResult& result) {
+  const Keyframe& before = *surroundings_.keyframes().back();
+  result.keyframe = keep(sweep, prediction, next());
+  result.constraints.push_back(
+      odometryConstraint(before, *result.keyframe, prediction.covariance, tracked));
+  surroundings_.leave();
+  surroundings_.add(result.keyframe, belief_.pose);
+  belief_.covariance.setZero();
 }
 
 /// Learns from what was seen how far the odometry between two keyframes was off.
@@ -235,7 +268,7 @@ void FrontEnd::resumeAt(const Relocation& found, const sensing::Sweep& sweep,
                         const motion::Prediction& prediction, FrontEndResult& result) {
   const Pose2 T_map_before = surroundings_.mapFromLocal() * surroundings_.newest();
   const Pose2 T_map_place = surroundings_.known().poses[found.keyframe];
-  result.keyframe = keep(sweep, prediction);
+  result.keyframe = keep(sweep, prediction, next());
   result.constraints.push_back(
       matchConstraint(found.keyframe, result.keyframe->id, found.match, ConstraintKind::kMatch));
   result.match = found.match;

@@ -54,6 +54,10 @@ struct FrontEndResult {
 /// From sweeps to keyframes and constraints: every sweep is tracked on a map of the surroundings,
 /// and some are kept.
 ///
+/// Where the robot comes out of the dark, having driven on so far without a scan that its odometry
+/// is unsure, and sees nothing that it knows, a stretch of keyframes begins: only the odometry ties
+/// them to those before, until a loop does, and they are not drawn beside each other until then.
+///
 /// A robot that is lost (LostJudge) makes no keyframes, which would spoil the map, and is looked
 /// for all over the graph (Relocaliser). Where it is found, the next keyframe is tied to what is
 /// there, and not to the keyframe before.
@@ -83,9 +87,13 @@ class FrontEnd {
   [[nodiscard]] OdometryStep stepTo(const motion::Prediction& prediction, FrontEndResult& result);
   [[nodiscard]] TrackedScan follow(const matching::View& view, const OdometryStep& step,
                                    double seconds);
-  [[nodiscard]] KeyframePtr keep(const sensing::Sweep& sweep,
-                                 const motion::Prediction& prediction) const;
+  [[nodiscard]] bool isOutOfTheDark(const TrackedScan& tracked, const OdometryStep& step) const;
+  [[nodiscard]] graph::NodeId next() const { return surroundings_.keyframes().back()->id + 1; }
+  [[nodiscard]] KeyframePtr keep(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                                 graph::NodeId stretch) const;
   void makeKeyframe(const sensing::Sweep& sweep, const motion::Prediction& prediction,
+                    const TrackedScan& tracked, FrontEndResult& result);
+  void beginStretch(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
   void weighOdometry(const Keyframe& from, const Keyframe& to,
                      const Eigen::Matrix3d& covariance_in_odom, const Belief& matched);

@@ -14,6 +14,10 @@ struct Keyframe {
   graph::NodeId id{0};
   geometry::Pose2 T_odom_base;  ///< odometry at `sweep.stamp`
   sensing::Sweep sweep;
+  /// The first keyframe of its stretch: from there on, each has seen something of what the one
+  /// before saw. From one stretch to the next there is nothing but odometry, or a place found
+  /// again.
+  graph::NodeId stretch{0};
 };
 
 /// What a sweep saw, in the frame of the robot's base.

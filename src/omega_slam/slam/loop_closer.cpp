@@ -80,7 +80,9 @@ std::vector<std::string> LoopCloserConfig::validate() const {
 }
 
 LoopCloser::LoopCloser(const LoopCloserConfig& config)
-    : config_((geometry::throwIfAny(config.validate()), config)), matcher_(config.place) {}
+    : config_((geometry::throwIfAny(config.validate()), config)),
+      matcher_(config.place),
+      relocaliser_(config.place) {}
 
 void LoopCloser::addKeyframe(KeyframePtr keyframe) {
   seen_.push_back(centreOfView(keyframe->sweep));
@@ -101,6 +103,11 @@ std::vector<Constraint> LoopCloser::search(const graph::PoseGraph& graph,
                                            graph::PathUncertainty& known) {
   const NodeId id = known.root();
   std::vector<Constraint> loops;
+  if (isAdrift(known)) {
+    loops = lookEverywhere(graph, id);
+  } else {
+    relocaliser_.rest();
+  }
   for (const Candidate& candidate : candidates(graph, known)) {
     if (!loops.empty() && isWide(candidate.window)) {
       continue;  // once the first is in the graph, the window will be narrow
@@ -111,6 +118,25 @@ std::vector<Constraint> LoopCloser::search(const graph::PoseGraph& graph,
   return loops;
 }
 
+/// Whether no window is wide enough for what is known of the stretch before.
+bool LoopCloser::isAdrift(graph::PathUncertainty& known) const {
+  const NodeId stretch = keyframes_[known.root()]->stretch;
+  return stretch > 0 && known.reaches(stretch - 1) &&
+         kDeviations * known.placeDeviation(stretch - 1) > config_.max_window.translation;
+}
+
+std::vector<Constraint> LoopCloser::lookEverywhere(const graph::PoseGraph& graph, NodeId id) {
+  const Keyframe& keyframe = *keyframes_[id];
+  const std::vector<Pose2> before(graph.poses.begin(), graph.poses.begin() + keyframe.stretch);
+  const auto found =
+      relocaliser_.look(viewOf(keyframe.sweep), keyframe.T_odom_base, {keyframes_, before});
+  if (!found) {
+    return {};
+  }
+  relocaliser_.rest();
+  return {matchConstraint(found->keyframe, id, found->match, graph::ConstraintKind::kLoop)};
+}
+
 /// Earlier keyframes worth a match with `id`, those first of which most would be learnt.
 std::vector<LoopCloser::Candidate> LoopCloser::candidates(const graph::PoseGraph& graph,
                                                           graph::PathUncertainty& known) const {
@@ -119,7 +145,9 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(const graph::PoseGraph
   std::vector<Candidate> all;
   const Eigen::Vector2d seen = graph.poses[id] * seen_[id];
   const double farthest = config_.search_radius + config_.max_window.translation;
-  for (NodeId earlier = 0; earlier + separation <= id; ++earlier) {
+  const NodeId stretch = keyframes_[id]->stretch;
+  const NodeId end = id >= separation ? std::max(stretch, id - separation + 1) : stretch;
+  for (NodeId earlier = 0; earlier < end; ++earlier) {
     const double way = wayTo(seen, graph.poses[earlier], seen_[earlier], farthest);
     if (way > farthest || !known.reaches(earlier)) {
       continue;  // what is not reached has retired, and newer ones have seen its place

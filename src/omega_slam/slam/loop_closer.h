@@ -8,12 +8,13 @@
 #include "omega_slam/graph/pose_graph.h"
 #include "omega_slam/slam/keyframe.h"
 #include "omega_slam/slam/place_matcher.h"
+#include "omega_slam/slam/relocaliser.h"
 
 namespace omega_slam::slam {
 
 struct LoopCloserConfig {
   double search_radius{3.0};  ///< [m] places seen from so near look alike
-  int min_separation{20};     ///< keyframes between a candidate and the newest
+  int min_separation{20};     ///< keyframes to a candidate of the same stretch
   int max_candidates{3};      ///< tried for each new keyframe
   int neighbours{3};  ///< keyframes on each side of a candidate that make up its surroundings
   /// Places that are known so well from here need no loop: a match would hardly say more.
@@ -36,6 +37,9 @@ struct LoopCloserConfig {
 ///
 /// PlaceMatcher says what is to be believed. A loop from a wide window also waits until another
 /// one, from another keyframe, tells the same of where the robot is.
+///
+/// A robot that drove on unseen may be anywhere: as long as no window is wide enough, its stretch
+/// is looked for all over what came before (Relocaliser).
 class LoopCloser {
  public:
   explicit LoopCloser(const LoopCloserConfig& config = {});  ///< @throws std::invalid_argument
@@ -62,6 +66,9 @@ class LoopCloser {
     double gain{0.0};
     matching::SearchWindow window;
   };
+  [[nodiscard]] bool isAdrift(graph::PathUncertainty& known) const;
+  [[nodiscard]] std::vector<graph::Constraint> lookEverywhere(const graph::PoseGraph& graph,
+                                                              graph::NodeId id);
   [[nodiscard]] std::vector<Candidate> candidates(const graph::PoseGraph& graph,
                                                   graph::PathUncertainty& known) const;
   [[nodiscard]] std::vector<graph::Constraint> tryCandidate(graph::NodeId id,
@@ -72,6 +79,7 @@ class LoopCloser {
 
   LoopCloserConfig config_;
   PlaceMatcher matcher_;
+  Relocaliser relocaliser_;  ///< for stretches that are adrift
   std::vector<KeyframePtr> keyframes_;
   std::vector<Eigen::Vector2d> seen_;  ///< [m] the middle of what each saw, in its base frame
   std::vector<graph::Constraint> unconfirmed_;  ///< from wide windows, the newest last

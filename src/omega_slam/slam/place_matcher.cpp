@@ -84,7 +84,7 @@ matching::Reference placeAround(NodeId center, NodeId reach, const KnownPlaces& 
       center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));
   matching::Reference place;
   for (NodeId id = first; id <= last; ++id) {
-    if (id != center) {
+    if (id != center && keyframes[id]->stretch == keyframes[center]->stretch) {
       const Pose2 T_center_id = relativePose(poses[center], poses[id]);
       place.push_back(matching::transformed(T_center_id, viewOf(keyframes[id]->sweep)));
     }

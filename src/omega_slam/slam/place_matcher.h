@@ -55,8 +55,8 @@ struct KnownPlaces {
   const std::vector<geometry::Pose2>& poses;  ///< `T_map_base` of the first so many of them
 };
 
-/// What a keyframe and its neighbours in time saw, in its frame; its own view is the last. Those
-/// without a pose are left out.
+/// What a keyframe and its neighbours of the same stretch saw, in its frame; its own view is the
+/// last. Those without a pose are left out.
 /// @param reach neighbours on each side
 [[nodiscard]] matching::Reference placeAround(graph::NodeId center, graph::NodeId reach,
                                               const KnownPlaces& known);

@@ -13,7 +13,7 @@ using graph::NodeId;
 
 namespace {
 
-/// So many keyframes before the newest are drawn, however little is known of them.
+/// So many keyframes of its stretch before the newest are drawn, however little is known of them.
 constexpr NodeId kTail = 20;
 
 /// What is seen between keyframes is drawn after so much motion.
@@ -106,8 +106,10 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph,
     return known.placeDeviation(id) <= config_.max_deviation &&
            known.headingDeviation(id) <= config_.max_deviation;
   };
+  const NodeId tail =
+      std::max(keyframes_[newest]->stretch, newest >= kTail ? newest - kTail + 1 : 0);
   std::vector<std::pair<double, NodeId>> near;
-  for (NodeId id = 0; id + kTail <= newest; ++id) {
+  for (NodeId id = 0; id < tail; ++id) {
     const double way = distance(graph.poses[id], graph.poses[newest]);
     if (way <= config_.radius && isSure(id)) {
       near.emplace_back(way, id);
@@ -120,7 +122,7 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph,
     ids.push_back(near[i].second);
   }
   std::sort(ids.begin(), ids.end());
-  for (NodeId id = newest >= kTail ? newest - kTail + 1 : 0; id <= newest; ++id) {
+  for (NodeId id = tail; id <= newest; ++id) {
     ids.push_back(id);
   }
   return ids;
@@ -139,11 +141,15 @@ bool Surroundings::hasBent(NodeId newest) const {
   });
 }
 
-void Surroundings::moveTo(NodeId center) {
+void Surroundings::leave() {
   drawn_.clear();
   glances_.clear();
-  T_map_local_ = {};
   map_.clear();
+}
+
+void Surroundings::moveTo(NodeId center) {
+  leave();
+  T_map_local_ = {};
   const NodeId first = center > kTail / 2 ? center - kTail / 2 : 0;
   const auto end = std::min<NodeId>(center + kTail / 2, static_cast<NodeId>(poses_.size()));
   for (NodeId id = first; id < end; ++id) {

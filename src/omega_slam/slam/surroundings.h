@@ -53,6 +53,10 @@ class Surroundings {
   /// @param view from the base
   void addGlance(const matching::View& view, const geometry::Pose2& T_local_base);
 
+  /// Wipes what is drawn, in the same frame: a stretch begins. Its first keyframe is to be added
+  /// next.
+  void leave();
+
   /// Draws the surroundings of an earlier keyframe, and nothing else, in the graph's frame, as it
   /// was believed last. A keyframe is to be added next.
   /// @param center one whose pose is known

@@ -18,9 +18,11 @@ struct Outcome {
   evaluation::Resemblance resemblance;
 };
 
-simulation::LoadedWorld lab() {
-  return simulation::loadWorld(test::sourceFolder() / "maps/lab.world.yaml");
+simulation::LoadedWorld world(const std::string& name) {
+  return simulation::loadWorld(test::sourceFolder() / "maps" / (name + ".world.yaml"));
 }
+
+simulation::LoadedWorld lab() { return world("lab"); }
 
 simulation::RouteDrive drive(std::uint64_t seed, double noise = 1.0, double seconds = 900.0) {
   simulation::TurtleBotConfig robot;
@@ -72,6 +74,26 @@ TEST(SimulatedRun, BadOdometryIsMended) {
   const double by_wheels =
       evaluation::absoluteTrajectoryError(odometry, run.truth).translation.mean;
   EXPECT_LT(mapRun(run).error.translation.mean, 0.5 * by_wheels);
+}
+
+/// Ten seconds without a scan, after which the robot looks at a part of the office that it has not
+/// seen: its odometry is good enough to go on by. Six seeds gave an error of 0.043 +- 0.018 m;
+/// the bound is four deviations away.
+TEST(SimulatedRun, TenSecondsInTheDarkAreBridged) {
+  simulation::TurtleBotConfig robot;
+  robot.seed = 1;
+  const auto run = simulation::driveRoute(world("office"), robot, 420.0);
+  slam::Pipeline pipeline;
+  const sensing::LaserMount mount{robot.T_base_laser, false};
+  for (const simulation::DriveScan& taken : run.scans) {
+    if (taken.scan.stamp < 296.4 || taken.scan.stamp > 306.4) {
+      EXPECT_FALSE(pipeline.process(taken.scan, mount, taken.T_odom_base, taken.motion_during_sweep)
+                       .is_lost);
+    }
+  }
+  pipeline.finish();
+  const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
+  EXPECT_LT(error.translation.mean, 0.12);
 }
 
 }  // namespace

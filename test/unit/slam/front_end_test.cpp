@@ -141,6 +141,53 @@ TEST(FrontEnd, OdometryThatJumpsSaysNothing) {
   }
 }
 
+/// A room without any likeness to the furnished one.
+test::Room closet() {
+  test::Room room;
+  room.addBox({-0.8, -1.3}, {0.9, 1.1});
+  room.walls.push_back({{0.4, -1.3}, {0.9, -0.5}});
+  return room;
+}
+
+/// After ten seconds without a scan: a long way off, and unsure.
+motion::Prediction outOfTheDark(const Pose2& T_odom_base, double stamp) {
+  motion::Prediction prediction{stamp, T_odom_base, {}};
+  prediction.covariance = Eigen::Vector3d(0.2, 0.2, 0.05).asDiagonal();
+  return prediction;
+}
+
+TEST(FrontEnd, AStretchBeginsWhereTheRobotComesOutOfTheDark) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
+  const Pose2 far{4.0, 1.0, 0.3};
+  const auto first = front_end.process(sweepAt({}, 10.0, closet()), outOfTheDark(far, 10.0));
+  ASSERT_TRUE(first.keyframe);
+  EXPECT_EQ(first.keyframe->stretch, first.keyframe->id);
+  EXPECT_FALSE(first.is_lost);
+  ASSERT_EQ(first.constraints.size(), 1U);
+  EXPECT_EQ(first.constraints[0].kind, ConstraintKind::kOdometry);
+  EXPECT_GT(first.constraints[0].information.inverse()(0, 0), 0.1);
+  EXPECT_FALSE(front_end.surroundings().isDrawn(0)) << "it would stand beside where it is";
+
+  const Pose2 on{0.45, 0.0, 0.0};
+  const auto second = front_end.process(sweepAt(on, 11.0, closet()), predictionAt(far * on, 11.0));
+  ASSERT_TRUE(second.keyframe);
+  EXPECT_TRUE(second.match_trusted);
+  EXPECT_EQ(second.keyframe->stretch, first.keyframe->id);
+}
+
+TEST(FrontEnd, NoStretchBeginsWhereTheRobotSeesWhatItKnows) {
+  FrontEnd front_end;
+  (void)front_end.process(sweepAt({}, 0.0), predictionAt({}, 0.0));
+  const Pose2 truth{0.9, 0.3, 0.4};
+  const auto result =
+      front_end.process(sweepAt(truth, 10.0), outOfTheDark(truth * Pose2{0.2, -0.15, 0.1}, 10.0));
+  ASSERT_TRUE(result.keyframe);
+  EXPECT_EQ(result.keyframe->stretch, 0U);
+  EXPECT_TRUE(result.match_trusted);
+  EXPECT_LT(test::gapBetween(result.T_keyframe_base, truth).translation, 0.05);
+}
+
 TEST(FrontEnd, ARobotThatIsCarriedAwayIsLostUntilItIsFound) {
   FrontEnd front_end;
   graph::PoseGraph graph;
@@ -182,6 +229,7 @@ TEST(FrontEnd, ARobotThatIsCarriedAwayIsLostUntilItIsFound) {
   ASSERT_TRUE(found);
   ASSERT_EQ(found->constraints.size(), 1U);
   EXPECT_LT(found->constraints[0].from + 1, keyframes) << "tied to where it is";
+  EXPECT_EQ(found->keyframe->stretch, found->keyframe->id);
   EXPECT_FALSE(see(carried * Pose2{3.0, -1.2, 0.0}, {3.0, -1.2, 0.0}).is_lost);
 }
 

@@ -18,11 +18,11 @@ namespace {
 
 using geometry::Pose2;
 
-KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base) {
+KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base, graph::NodeId stretch = 0) {
   std::mt19937_64 random(id);
   const auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
   return std::make_shared<const Keyframe>(
-      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep});
+      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep, stretch});
 }
 
 /// A hall of 12 x 4 m with things in the middle of it.
@@ -191,6 +191,67 @@ TEST(LoopCloser, AWideWindowsLoopWaitsForAnotherThatAgrees) {
   EXPECT_EQ(found[9], 0U) << "the drift came between this one and the first, so they disagree";
   EXPECT_GE(std::accumulate(found.begin() + 10, found.end(), std::size_t{0}), 2U)
       << "those that agree with one before come with it";
+}
+
+TEST(LoopCloser, APlaceIsMadeOfOneStretch) {
+  const std::vector<Pose2> poses(6);
+  std::vector<KeyframePtr> keyframes;
+  for (graph::NodeId id = 0; id < 6; ++id) {
+    keyframes.push_back(keyframeAt(id, poses[id], id < 3 ? 0 : 3));
+  }
+  EXPECT_EQ(placeAround(1, 2, {keyframes, poses}).size(), 3U);
+  EXPECT_EQ(placeAround(3, 2, {keyframes, poses}).size(), 3U);
+  EXPECT_EQ(placeAround(5, 1, {keyframes, poses}).size(), 2U);
+}
+
+/// Out of the dark, the robot looks at what it saw just before.
+TEST(LoopCloser, AnotherStretchMayBeNear) {
+  LoopCloser closer(smallConfig());
+  const std::vector<Pose2> truth{{-1.0, 0.2, 0.0}, {-0.6, 0.2, 0.0}, {-0.5, 0.3, 0.4}};
+  for (graph::NodeId id = 0; id < 3; ++id) {
+    closer.addKeyframe(keyframeAt(id, truth[id], id < 2 ? 0 : 2));
+  }
+  auto believed = truth;
+  believed[2] = believed[2] * Pose2{0.1, -0.1, 0.08};
+  const auto loops = closer.search(2, test::chainOf(believed, 0.1));
+  ASSERT_FALSE(loops.empty());
+  const auto gap =
+      test::gapBetween(loops[0].T_from_to, relativePose(truth[loops[0].from], truth[2]));
+  EXPECT_LT(gap.translation, 0.03);
+}
+
+/// Fifteen metres off, where no window is wide enough.
+TEST(LoopCloser, AStretchThatIsAdriftIsFoundAnywhere) {
+  LoopCloserConfig config;
+  config.min_separation = 100;  // of itself it says nothing
+  LoopCloser closer(config);
+  std::vector<Pose2> truth;
+  std::vector<Pose2> believed;
+  for (int i = 0; i < 10; ++i) {
+    truth.push_back({-3.0 + 0.6 * i, -1.2, 0.1 * i});
+    believed.push_back(truth.back());
+  }
+  const auto stretch = static_cast<graph::NodeId>(truth.size());
+  for (int i = 0; i < 18; ++i) {
+    truth.push_back(Pose2{2.4, 0.9, 3.2} * Pose2{0.26 * i, 0.0, 0.0});
+    believed.push_back(Pose2{12.0, -9.0, 2.0} * truth.back());
+  }
+  std::vector<graph::Constraint> loops;
+  for (graph::NodeId id = 0; id < truth.size() && loops.empty(); ++id) {
+    closer.addKeyframe(keyframeAt(id, truth[id], id < stretch ? 0 : stretch));
+    graph::PoseGraph graph = test::chainOf(
+        {believed.begin(), believed.begin() + static_cast<std::ptrdiff_t>(id) + 1}, 0.005);
+    if (id >= stretch) {
+      graph.constraints[stretch - 1].information = Eigen::Vector3d(0.01, 0.01, 1.0).asDiagonal();
+      loops = closer.search(id, graph);
+    }
+  }
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_LT(loops[0].from, stretch);
+  const auto gap =
+      test::gapBetween(loops[0].T_from_to, relativePose(truth[loops[0].from], truth[loops[0].to]));
+  EXPECT_LT(gap.translation, 0.05);
+  EXPECT_LT(gap.rotation, 0.03);
 }
 
 TEST(LoopCloser, PosesThatDoNotReachTheKeyframeGiveNothing) {

@@ -14,11 +14,11 @@ namespace {
 
 using geometry::Pose2;
 
-KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base) {
+KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base, graph::NodeId stretch = 0) {
   std::mt19937_64 random(id);
   const auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
   return std::make_shared<const Keyframe>(
-      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep});
+      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep, stretch});
 }
 
 std::vector<Pose2> alongTheRoom(int keyframes) {
@@ -100,6 +100,27 @@ TEST(Surroundings, AnEarlierPassComesInOnceItIsKnownWell) {
   graph.constraints.push_back(loop);
   (void)surroundings.believe(graph);
   EXPECT_TRUE(surroundings.isDrawn(0));
+}
+
+TEST(Surroundings, AStretchBeforeComesInOnceItIsKnownWell) {
+  const auto poses = alongTheRoom(6);
+  Surroundings surroundings({}, {});
+  for (graph::NodeId id = 0; id < 3; ++id) {
+    surroundings.add(keyframeAt(id, poses[id]), poses[id]);
+  }
+  surroundings.leave();
+  EXPECT_FALSE(surroundings.isDrawn(2));
+  for (graph::NodeId id = 3; id < 6; ++id) {
+    surroundings.add(keyframeAt(id, poses[id], 3), poses[id]);
+  }
+  graph::PoseGraph graph = test::chainOf(poses, 0.01);
+  graph.constraints[2].information = Eigen::Matrix3d::Identity();  // a metre, a radian
+  (void)surroundings.believe(graph);
+  EXPECT_FALSE(surroundings.isDrawn(2));
+  EXPECT_EQ(surroundings.map().recentViews().size(), 3U);
+  graph.constraints[2].information *= 1e4;
+  (void)surroundings.believe(graph);
+  EXPECT_TRUE(surroundings.isDrawn(2));
 }
 
 TEST(Surroundings, ConfigurationIsChecked) {
