@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
@@ -11,6 +12,7 @@ namespace omega_slam::navigation {
 namespace {
 
 constexpr double kLiveResolution = 0.05;  // [m]
+constexpr double kBeamError = 0.02;  // [m] by which the nearest of many beams is too short, about
 
 const CostmapConfig& checked(const CostmapConfig& config) {
   geometry::throwIfAny(config.validate());
@@ -133,10 +135,13 @@ double Costmap::clearance(const Eigen::Vector2d& point) const {
                   : 0.0;
 }
 
-double Costmap::solidClearance(const Eigen::Vector2d& point) const {
-  const double live = std::min({live_.field().interpolated(point),
-                                contacts_.field().interpolated(point), walls_.clearance(point)});
-  return solid_ ? std::min(solid_->interpolated(point), live) : live;
+Costmap::Room Costmap::roomAt(const Eigen::Vector2d& point) const {
+  const double live = live_.field().interpolated(point);
+  const double wall = walls_.distance(point);
+  const double drawn =
+      solid_ ? solid_->interpolated(point) : std::numeric_limits<double>::infinity();
+  return {std::min({drawn, live, contacts_.field().interpolated(point), wall + kBeamError}),
+          std::min(live, wall)};
 }
 
 }  // namespace omega_slam::navigation

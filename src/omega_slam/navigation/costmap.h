@@ -74,7 +74,14 @@ class Costmap {
   /// At least so far [m] is it to what isFree() minds, and at most a cell's diagonal farther.
   [[nodiscard]] double clearance(const Eigen::Vector2d& point) const;
   /// So far [m], to a few millimetres, is it to the next obstacle, unknown cells aside.
-  [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const;
+  [[nodiscard]] double solidClearance(const Eigen::Vector2d& point) const {
+    return roomAt(point).solid;
+  }
+  struct Room {
+    double solid{0.0};  ///< [m] as solidClearance()
+    double seen{0.0};   ///< [m] to the nearest that was seen lately; beams may be a little short
+  };
+  [[nodiscard]] Room roomAt(const Eigen::Vector2d& point) const;
 
  private:
   [[nodiscard]] bool isWall(const Eigen::Vector2d& point) const;

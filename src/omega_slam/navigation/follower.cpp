@@ -31,6 +31,10 @@ double approach(double value, double target, double max_change) {
   return value + std::clamp(target - value, -max_change, max_change);
 }
 
+bool isLess(const Costmap::Room& room, const Costmap::Room& least) {
+  return room.solid < least.solid || room.seen < least.seen;
+}
+
 /// The sample of that number, evenly from `first` to `last`.
 double at(double first, double last, int number, int count) {
   return first + (last - first) * number / (count - 1);
@@ -55,7 +59,10 @@ std::vector<std::string> FollowerConfig::validate() const {
   return violations.sentences();
 }
 
-Follower::Follower(const FollowerConfig& config, double radius) : config_(config), radius_(radius) {
+Follower::Follower(const FollowerConfig& config, const Footprint& footprint)
+    : config_(config),
+      radius_(footprint.circumscribed_radius),
+      base_radius_(footprint.inscribed_radius) {
   geometry::throwIfAny(config_.validate());
 }
 
@@ -133,28 +140,31 @@ motion::Twist2 Follower::brake(const motion::Twist2& velocity, double dt) const 
           approach(velocity.angular, 0.0, config_.max_angular_acceleration * dt)};
 }
 
+Costmap::Room Follower::leastRoom(const Costmap::Room& here) const {
+  return {std::min(radius_, here.solid - kContactSlack), std::min(base_radius_, here.seen)};
+}
+
 Follower::Outlook Follower::lookAlong(const Costmap& costmap, const geometry::Pose2& T_map_base,
                                       const motion::Twist2& velocity) const {
-  // Where it already has less room than its radius, it must not get less.
-  const double room = costmap.solidClearance(T_map_base.translation());
-  const double least = std::min(radius_, room - kContactSlack);
+  const Costmap::Room here = costmap.roomAt(T_map_base.translation());
+  const Costmap::Room least = leastRoom(here);
   const double left = (path_.path().back() - T_map_base.translation()).norm();
   const double reach = std::clamp(left, kShortestArc, kArc);
   const int steps = static_cast<int>(std::ceil(reach / kArcStep));
   Outlook outlook;
   outlook.reach = reach;
-  outlook.room = room;
+  outlook.room = here.solid;
   for (int i = 1; i <= steps; ++i) {
     const double length = reach * i / steps;
     const double bent = std::min(length, config_.horizon * velocity.linear);
     const geometry::Pose2 pose =
         T_map_base * motion::Arc{bent, bent * velocity.angular / velocity.linear}.toMotion() *
         geometry::Pose2{length - bent, 0.0, 0.0};
-    const double clearance = costmap.solidClearance(pose.translation());
-    if (clearance < least) {
+    const Costmap::Room room = costmap.roomAt(pose.translation());
+    if (isLess(room, least)) {
       break;
     }
-    outlook.room = std::min(outlook.room, clearance);
+    outlook.room = std::min(outlook.room, room.solid);
     outlook.clear = length;
     outlook.arc.push_back(pose);
   }
@@ -238,14 +248,13 @@ Follower::Window Follower::windowAbout(const geometry::Pose2& T_map_base,
 
 bool Follower::isClearStraight(const Costmap& costmap, const geometry::Pose2& T_map_base,
                                double distance) const {
-  const double room = costmap.solidClearance(T_map_base.translation());
-  const double least = std::min(room, radius_) - kContactSlack;
+  const Costmap::Room least = leastRoom(costmap.roomAt(T_map_base.translation()));
   const int steps = static_cast<int>(std::ceil(std::abs(distance) / kStandingSpeed));
   for (int i = 1; i <= steps; ++i) {
     const double done = distance * i / steps;
     const Eigen::Vector2d point =
         T_map_base.translation() + T_map_base.rotation() * Eigen::Vector2d(done, 0.0);
-    if (costmap.solidClearance(point) < least) {
+    if (isLess(costmap.roomAt(point), least)) {
       return false;
     }
   }

@@ -7,6 +7,7 @@
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/motion/twist2.h"
 #include "omega_slam/navigation/costmap.h"
+#include "omega_slam/navigation/footprint.h"
 #include "omega_slam/navigation/path.h"
 
 namespace omega_slam::navigation {
@@ -55,12 +56,11 @@ struct FollowerStep {
 /// speed. Where the path leads off sharply, the robot turns on the spot.
 ///
 /// A robot that already stands nearer to something than its radius may move where it does not come
-/// nearer. Not thread-safe.
+/// nearer, but never so near to what it sees that its base would touch it. Not thread-safe.
 class Follower {
  public:
-  /// @param radius [m] of the robot
   /// @throws std::invalid_argument if the configuration is not valid
-  Follower(const FollowerConfig& config, double radius);
+  Follower(const FollowerConfig& config, const Footprint& footprint);
 
   /// @param path [m] in the map; @param heading [rad] to turn to at its end, if any
   void follow(const Path& path, std::optional<double> heading);
@@ -104,6 +104,10 @@ class Follower {
     double clear{0.0};                 ///< [m] of it are clear
     double room{0.0};                  ///< [m] least clearance on the clear part
   };
+  /// What the robot must keep: its radius of room, or where it has less, as much as it has. That
+  /// may be a map's error, in step after step it can become less, and what it allows is allowed
+  /// anywhere; so the base keeps its own radius off what is seen, whatever the map shows.
+  [[nodiscard]] Costmap::Room leastRoom(const Costmap::Room& here) const;
   [[nodiscard]] Outlook lookAlong(const Costmap& costmap, const geometry::Pose2& T_map_base,
                                   const motion::Twist2& velocity) const;
   /// [m/s] that the robot may have where there is so much room [m].
@@ -115,7 +119,8 @@ class Follower {
   [[nodiscard]] double courseError(const geometry::Pose2& pose, double along) const;
 
   FollowerConfig config_;
-  double radius_;
+  double radius_;       ///< [m] circumscribed
+  double base_radius_;  ///< [m] inscribed
   PathMeasure path_;
   std::optional<double> heading_;
   double along_{0.0};

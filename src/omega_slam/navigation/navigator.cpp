@@ -62,7 +62,7 @@ Navigator::Navigator(const NavigatorConfig& config, const Footprint& footprint)
       radius_(footprint.circumscribed_radius),
       costmap_(config.costmap),
       planner_(config.planner, footprint.circumscribed_radius + config.margin),
-      follower_(config.follower, footprint.circumscribed_radius),
+      follower_(config.follower, footprint),
       recovery_(config.recovery),
       self_radius_(kSelf * footprint.inscribed_radius) {
   geometry::throwIfAny(config_.validate());

@@ -7,10 +7,9 @@
 namespace omega_slam::navigation {
 namespace {
 
-constexpr double kReach = 0.9;       // [m] from the robot: motions are looked at so far ahead
-constexpr double kMemory = 2.0;      // [s]
-constexpr double kSame = 0.01;       // [m] points that are nearer to each other are one
-constexpr double kBeamError = 0.02;  // [m] by which the nearest of many beams is too short, about
+constexpr double kReach = 0.9;   // [m] from the robot: motions are looked at so far ahead
+constexpr double kMemory = 2.0;  // [s]
+constexpr double kSame = 0.01;   // [m] points that are nearer to each other are one
 
 }  // namespace
 
@@ -35,12 +34,12 @@ void SeenWalls::see(const std::vector<Eigen::Vector2d>& points, const Eigen::Vec
   }
 }
 
-double SeenWalls::clearance(const Eigen::Vector2d& point) const {
+double SeenWalls::distance(const Eigen::Vector2d& point) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Mark& mark : marks_) {
     least = std::min(least, (mark.point - point).squaredNorm());
   }
-  return std::sqrt(least) + kBeamError;
+  return std::sqrt(least);
 }
 
 }  // namespace omega_slam::navigation

@@ -15,8 +15,8 @@ class SeenWalls {
   void see(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& robot, double stamp);
   void forget() { marks_.clear(); }
 
-  /// [m] to the nearest, beam errors aside; infinity without any.
-  [[nodiscard]] double clearance(const Eigen::Vector2d& point) const;
+  /// [m] to the nearest, which beam errors have made too near, as a rule; infinity without any.
+  [[nodiscard]] double distance(const Eigen::Vector2d& point) const;
 
  private:
   struct Mark {
