@@ -53,18 +53,31 @@ void findTies(const PoseGraph& graph, std::vector<DoubtfulLoop>& loops) {
     order.push_back(&loop);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
-    return a->supporters.size() > b->supporters.size();
+    return std::pair(a->is_presumed, a->supporters.size()) >
+           std::pair(b->is_presumed, b->supporters.size());
   });
   Parts parts = partsWithoutLoops(graph);
   for (DoubtfulLoop* loop : order) {
     const Constraint& constraint = graph.constraints[loop->constraint];
-    loop->is_tie = loop->is_believed = parts.unite(constraint.from, constraint.to);
+    loop->is_tie = parts.unite(constraint.from, constraint.to);
+    loop->is_believed = loop->is_tie || loop->is_presumed;
+  }
+}
+
+/// What agrees with a loop in question is in question, too: they stand or fall together.
+void presume(const std::vector<bool>& settled, std::vector<DoubtfulLoop>& loops) {
+  const auto isSettled = [&](std::size_t i) { return settled[loops[i].constraint]; };
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const std::vector<std::size_t>& supporters = loops[i].supporters;
+    loops[i].is_presumed =
+        isSettled(i) && std::all_of(supporters.begin(), supporters.end(), isSettled);
   }
 }
 
 }  // namespace
 
-std::vector<DoubtfulLoop> doubtfulLoops(const PoseGraph& graph, const SupportConfig& config) {
+std::vector<DoubtfulLoop> doubtfulLoops(const PoseGraph& graph, const SupportConfig& config,
+                                        const std::vector<bool>& settled) {
   std::vector<std::size_t> indices;
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     if (graph.constraints[k].kind == ConstraintKind::kLoop) {
@@ -76,6 +89,9 @@ std::vector<DoubtfulLoop> doubtfulLoops(const PoseGraph& graph, const SupportCon
   for (std::size_t i = 0; i < indices.size(); ++i) {
     loops[i].constraint = indices[i];
     loops[i].supporters = std::move(agreeing[i]);
+  }
+  if (!settled.empty()) {
+    presume(settled, loops);
   }
   findTies(graph, loops);
   return loops;

@@ -20,10 +20,13 @@ struct DoubtfulLoop {
   LoopFit fit;
 };
 
-/// All loops of a graph. Only ties are believed: of those that could tie a part of the graph to the
-/// rest, the one with most support.
+/// All loops of a graph. Only those settled are presumed to be right, if no loop that agrees with
+/// them is in question; and ties are believed: of those that could tie a part of the graph to the
+/// rest, a settled one or that with most support.
+/// @param settled constraints by index; empty where none is
 [[nodiscard]] std::vector<DoubtfulLoop> doubtfulLoops(const PoseGraph& graph,
-                                                      const SupportConfig& config);
+                                                      const SupportConfig& config,
+                                                      const std::vector<bool>& settled = {});
 
 /// The graph without the loops that are not believed.
 [[nodiscard]] PoseGraph believedGraph(const PoseGraph& graph,

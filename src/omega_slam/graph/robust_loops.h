@@ -80,9 +80,15 @@ struct RobustReport {
 /// et al. 2018) no clique is looked for, and unlike graduated non-convexity no false loop ever
 /// pulls while its weight shrinks.
 ///
+/// Where most loops are known to be right, the search begins with these, from the poses given, and
+/// what is left to find takes few rounds. They are presumed: withdrawn only if they fail the gate.
+///
 /// Deterministic. A round costs a solve, a factorisation and a SelectedInverse; ten rounds are
-/// usual.
+/// usual, and three where most is settled.
+/// @param settled of each constraint, whether it is a loop to begin with; those that agree with
+/// another that is not are not, either. Empty where nothing is known
 /// @throws std::invalid_argument for a wrong configuration
-RobustReport solveWithDoubtfulLoops(PoseGraph& graph, const RobustConfig& config = {});
+RobustReport solveWithDoubtfulLoops(PoseGraph& graph, const RobustConfig& config = {},
+                                    const std::vector<bool>& settled = {});
 
 }  // namespace omega_slam::graph

@@ -91,6 +91,41 @@ TEST(RobustLoopsLaws, PosesGivenDoNotMatter) {
   EXPECT_LT(worstGap(scattered, problem.graph), 1e-9);
 }
 
+/// From whatever true loops the search begins, it ends where it does from none.
+TEST_P(FalseLoops, AreNamedWhereMostLoopsAreSettled) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    auto problem = test::drivenRounds({}, random);
+    const std::size_t true_end = problem.graph.constraints.size();
+    test::addFalseLoops(problem, GetParam().groups, GetParam().of_each, random);
+    PoseGraph from_none = problem.graph;
+    const RobustReport report = solveWithDoubtfulLoops(from_none);
+    std::vector<bool> settled(problem.graph.constraints.size(), false);
+    std::bernoulli_distribution isSettled(0.7);
+    std::generate_n(settled.begin(), true_end, [&] { return isSettled(random); });
+    const RobustReport warm = solveWithDoubtfulLoops(problem.graph, {}, settled);
+    EXPECT_EQ(warm.solution.weights, report.solution.weights);
+    EXPECT_LE(warm.rounds, report.rounds);
+    EXPECT_LT(worstGap(problem.graph, from_none), 1e-3);
+  }
+}
+
+/// A loop that is settled may yet turn out to be false.
+TEST(RobustLoopsLaws, SettledLoopIsWithdrawnWhereTheRestContradictsIt) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    auto problem = test::drivenRounds({}, random);
+    const std::size_t true_end = problem.graph.constraints.size();
+    test::addFalseLoops(problem, 1, 1, random);
+    const std::vector<bool> settled(problem.graph.constraints.size(), true);
+    const RobustReport report = solveWithDoubtfulLoops(problem.graph, {}, settled);
+    EXPECT_EQ(countBelieved(report, true_end, true_end + 1), 0U);
+    EXPECT_GE(countBelieved(report, 0, true_end), 79U);
+  }
+}
+
 /// Variances a hundred times too large, or somewhat too small.
 TEST(RobustLoopsLaws, WhereRetiredNodesLieDoesNotMatter) {
   std::mt19937_64 random(4);
