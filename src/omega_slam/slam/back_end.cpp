@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "omega_slam/geometry/validation.h"
@@ -22,7 +23,8 @@ constexpr double kWorse = 2.0;
 /// [keyframes] between two looks for some that may retire: each is worth a solve of the whole.
 constexpr std::size_t kRetireEvery = 50;
 
-/// A graph of so many keyframes takes long to doubt. One in so many of them must have come since.
+/// A graph of so many keyframes takes long to doubt: step by step, one for each new keyframe, and
+/// not before one in so many of them has come since the last.
 constexpr std::size_t kLarge = 2000;
 constexpr std::size_t kDoubtShare = 50;
 
@@ -78,7 +80,8 @@ std::string BackEnd::addKeyframe(NodeId id, const Pose2& T_odom_base,
                  [this](const Constraint& c) { return retired_.carried(c); });
   solver_.addNode(id > 0 ? placeByBest(graph(), id, valid) : Pose2{}, valid);
   T_odom_newest_ = T_odom_base;
-  if (graph().poses.size() >= looked_at_ + kRetireEvery) {
+  goOnDoubting();
+  if (!doubt_ && graph().poses.size() >= looked_at_ + kRetireEvery) {
     retireSome();
   }
   return {};
@@ -100,7 +103,7 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
       error = std::max(error, std::sqrt(graph::chiSquare(graph(), carried)));
     }
   }
-  if (error > config_.solve_error && !isDoubtAffordable() && areLoops(valid)) {
+  if (error > config_.solve_error && isLarge() && areLoops(valid)) {
     addUndoubted(valid);
   } else if (error > config_.solve_error) {
     if (!solver_.settleAround(valid) || isAnyLoopFarOff()) {
@@ -115,9 +118,20 @@ std::string BackEnd::addConstraints(const std::vector<Constraint>& constraints) 
   return refusal;
 }
 
-bool BackEnd::isDoubtAffordable() const {
+bool BackEnd::isLarge() const { return graph().poses.size() >= kLarge; }
+
+/// One step of a doubt for a keyframe: to begin, a round, to conclude.
+void BackEnd::goOnDoubting() {
   const std::size_t count = graph().poses.size();
-  return count < kLarge || doubts_ == 0 || count >= doubted_at_ + count / kDoubtShare;
+  if (!doubt_) {
+    const bool is_due = doubts_ == 0 || count >= doubted_at_ + count / kDoubtShare;
+    if (is_doubt_called_ && isLarge() && is_due) {
+      beginDoubt();
+    }
+  } else if (!doubt_->advance()) {
+    concludeDoubt();
+    moveRetired();
+  }
 }
 
 /// Loops that contradict the others are kept for the next doubt: it says who is right.
@@ -135,10 +149,13 @@ void BackEnd::addUndoubted(const std::vector<Constraint>& loops) {
 }
 
 const graph::SolveReport& BackEnd::solve() {
+  if (doubt_) {
+    concludeDoubt();
+  }
   report_ = solver_.finish();
   if (is_doubt_called_ || isAnyLoopFarOff()) {
-    doubtLoops();
-    letBe();
+    beginDoubt();
+    concludeDoubt();
   }
   moveRetired();
   return report_;
@@ -161,32 +178,29 @@ double BackEnd::limitOf(std::size_t k) const {
   return let_be > gate ? kWorse * let_be : gate;
 }
 
-void BackEnd::doubtLoops() {
+void BackEnd::beginDoubt() {
   ++doubts_;
   doubted_at_ = graph().poses.size();
   is_doubt_called_ = false;
-  graph::PoseGraph all = graph();
-  std::vector<Constraint> contradicted;
-  for (const Constraint& loop : withdrawn_) {
+  const auto isIdle = [this](const Constraint& loop) {  // its keyframes go together by now
     const Constraint carried = retired_.carried(loop);
-    const bool is_pointless = carried.from == carried.to;  // its keyframes go together by now
-    (is_pointless ? contradicted : all.constraints).push_back(is_pointless ? loop : carried);
+    return carried.from == carried.to;
+  };
+  const auto first = std::stable_partition(withdrawn_.begin(), withdrawn_.end(), isIdle);
+  std::transform(first, withdrawn_.end(), first,
+                 [this](const Constraint& loop) { return retired_.carried(loop); });
+  doubt_.emplace(graph(), withdrawn_, static_cast<std::size_t>(first - withdrawn_.begin()),
+                 config_.doubt, isLarge() ? confirmed_ : std::nullopt);
+}
+
+void BackEnd::concludeDoubt() {
+  graph::PoseGraph doubted = graph();
+  confirmed_ = doubt_->conclude(doubted, withdrawn_);
+  doubt_.reset();
+  if (confirmed_) {
+    report_ = solver_.resume(std::move(doubted));
   }
-  const graph::RobustReport doubt = graph::solveWithDoubtfulLoops(all, config_.doubt);
-  if (doubt.solution.status != graph::SolveStatus::kConverged) {
-    return;
-  }
-  std::vector<bool> is_contradicted(all.constraints.size(), false);
-  for (const graph::LoopVerdict& loop : doubt.loops) {
-    is_contradicted[loop.constraint] = loop.standing == graph::LoopStanding::kContradicted;
-  }
-  std::vector<Constraint> kept;
-  for (std::size_t k = 0; k < all.constraints.size(); ++k) {
-    (is_contradicted[k] ? contradicted : kept).push_back(all.constraints[k]);
-  }
-  withdrawn_ = std::move(contradicted);
-  all.constraints = std::move(kept);
-  report_ = solver_.resume(std::move(all));
+  letBe();
 }
 
 void BackEnd::letBe() {
@@ -202,10 +216,11 @@ void BackEnd::retireSome() {
   if (config_.thinning.nodes_per_place == 0 || !graph::isAnyCrowded(graph(), config_.thinning)) {
     return;
   }
-  if (isDoubtAffordable()) {
-    solve();
-  } else {
+  if (isLarge()) {
     report_ = solver_.finish();
+    is_doubt_called_ = is_doubt_called_ || isAnyLoopFarOff();
+  } else {
+    solve();
   }
   graph::PoseGraph thinned = graph();
   const std::vector<graph::Retirement> newly = graph::retireNodes(thinned, config_.thinning);

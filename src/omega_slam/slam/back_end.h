@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "omega_slam/graph/robust_loops.h"
 #include "omega_slam/graph/solver.h"
 #include "omega_slam/graph/thinning.h"
+#include "omega_slam/slam/doubt.h"
 
 namespace omega_slam::slam {
 
@@ -41,9 +43,10 @@ struct BeliefAccount {
 /// against any. Else those that the rest contradicts are withdrawn (graph/robust_loops.h), and come
 /// back if the next doubt finds them right. What would fit by accident stays: the front end has
 /// gates of its own. A loop that was let be, far off though it is, calls for no other doubt until
-/// it has got much worse: the answer would be the same. In a large graph, where a doubt takes
-/// seconds, loops that call for one soon after the last are withdrawn until the next, or until
-/// solve() is called. Not thread-safe: one owner calls it.
+/// it has got much worse: the answer would be the same. In a large graph, where a doubt takes long,
+/// loops that call for one are withdrawn until it is over: it goes on by one step with each new
+/// keyframe, not too soon after the last, or at once when solve() is called. Not thread-safe: one
+/// owner calls it.
 class BackEnd {
  public:
   explicit BackEnd(const BackEndConfig& config = {});  ///< @throws std::invalid_argument
@@ -88,9 +91,11 @@ class BackEnd {
   [[nodiscard]] bool isAnyLoopFarOff() const;
   /// Squared error beyond which a loop calls for a doubt. @param k index of the constraint
   [[nodiscard]] double limitOf(std::size_t k) const;
-  [[nodiscard]] bool isDoubtAffordable() const;
+  [[nodiscard]] bool isLarge() const;
   void addUndoubted(const std::vector<graph::Constraint>& loops);
-  void doubtLoops();
+  void beginDoubt();
+  void goOnDoubting();
+  void concludeDoubt();
   void letBe();
   void retireSome();
   void moveRetired();
@@ -102,8 +107,10 @@ class BackEnd {
   std::vector<graph::Constraint> withdrawn_;
   std::vector<graph::Constraint> folded_;
   std::size_t doubts_{0};
-  std::size_t doubted_at_{0};    ///< keyframes that there were at the last doubt
-  bool is_doubt_called_{false};  ///< by loops that were withdrawn until the next
+  std::size_t doubted_at_{0};         ///< keyframes that there were at the last doubt
+  bool is_doubt_called_{false};       ///< by loops that were withdrawn until then
+  std::optional<Doubt> doubt_;        ///< that goes on
+  std::optional<LoopSet> confirmed_;  ///< by the last doubt; none where it found no answer
   /// Squared errors of the constraints after the last doubt; those that came since are not in it.
   std::vector<double> let_be_;
   graph::RetiredNodes retired_;

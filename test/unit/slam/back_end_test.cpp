@@ -136,36 +136,6 @@ TEST(BackEnd, FalseLoopsAreWithdrawnWheneverTheyCome) {
   EXPECT_LT(worstGap(back_end.graph().poses, clean.poses), 0.02);
 }
 
-/// A doubt of a large graph takes long: one that has just been is not repeated for each new loop.
-TEST(BackEnd, LargeGraphsAreNotDoubtedAgainAndAgain) {
-  constexpr NodeId kNodes = 2100;
-  BackEnd back_end;
-  EXPECT_EQ(back_end.addKeyframe(0, {}, {}), "");
-  for (NodeId i = 1; i < kNodes; ++i) {
-    const NodeId far_back = i - std::min<NodeId>(i, 10);
-    const Pose2 step{0.5, 0.0, 0.0};
-    const Pose2 steps{0.5 * (i - far_back), 0.0, 0.0};
-    EXPECT_EQ(back_end.addKeyframe(i, {}, {tie(i - 1, i, step, 1e4), tie(far_back, i, steps, 1e4)}),
-              "");
-  }
-  const auto lieTo = [](NodeId from, NodeId to) {
-    return tie(from, to, {0.0, 3.0, 0.0}, 1e4, ConstraintKind::kLoop);
-  };
-  EXPECT_EQ(back_end.addConstraints({lieTo(1000, 1003)}), "");
-  EXPECT_EQ(back_end.doubts(), 1U);
-  EXPECT_EQ(back_end.withdrawn().size(), 1U);
-  const std::vector<Pose2> before = back_end.graph().poses;
-  EXPECT_EQ(back_end.addConstraints({lieTo(1500, 1503)}), "");
-  EXPECT_EQ(back_end.doubts(), 1U) << "not so soon";
-  EXPECT_EQ(back_end.withdrawn().size(), 2U) << "until then";
-  EXPECT_LT(worstGap(back_end.graph().poses, before), 1e-12);
-  back_end.solve();
-  EXPECT_EQ(back_end.doubts(), 2U) << "in the end it is looked into";
-  EXPECT_EQ(back_end.withdrawn().size(), 2U);
-  back_end.solve();
-  EXPECT_EQ(back_end.doubts(), 2U);
-}
-
 /// At first, three false loops that agree outvote a true one.
 TEST(BackEnd, WithdrawnLoopComesBackWhenMoreIsKnown) {
   std::mt19937_64 random(5);
