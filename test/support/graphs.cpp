@@ -9,6 +9,16 @@ using graph::Constraint;
 using graph::ConstraintKind;
 using graph::NodeId;
 
+Constraint tie(NodeId from, NodeId to, const Pose2& T_from_to, double weight, ConstraintKind kind) {
+  Constraint constraint;
+  constraint.from = from;
+  constraint.to = to;
+  constraint.T_from_to = T_from_to;
+  constraint.information = weight * Eigen::Matrix3d::Identity();
+  constraint.kind = kind;
+  return constraint;
+}
+
 Eigen::Matrix3d randomInformation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   Eigen::Matrix3d a;

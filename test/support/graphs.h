@@ -7,6 +7,11 @@
 
 namespace omega_slam::test {
 
+/// What says exactly this of two nodes, with `weight` times the unit matrix as information.
+[[nodiscard]] graph::Constraint tie(graph::NodeId from, graph::NodeId to,
+                                    const geometry::Pose2& T_from_to = {}, double weight = 1.0,
+                                    graph::ConstraintKind kind = graph::ConstraintKind::kOdometry);
+
 /// Positive definite, with correlations.
 [[nodiscard]] Eigen::Matrix3d randomInformation(std::mt19937_64& random);
 

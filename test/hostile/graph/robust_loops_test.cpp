@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "support/false_loops.h"
+#include "support/graphs.h"
 
 namespace omega_slam::graph {
 namespace {
@@ -16,13 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 Constraint tie(NodeId from, NodeId to, double x, ConstraintKind kind = ConstraintKind::kOdometry) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = {x, 0.0, 0.0};
-  constraint.information = 1e4 * Eigen::Matrix3d::Identity();
-  constraint.kind = kind;
-  return constraint;
+  return test::tie(from, to, {x, 0.0, 0.0}, 1e4, kind);
 }
 
 PoseGraph drive(NodeId nodes) {

@@ -5,16 +5,12 @@
 
 #include <cmath>
 
+#include "support/graphs.h"
+
 namespace omega_slam::graph {
 namespace {
 
-Constraint tie(NodeId from, NodeId to) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = {1.0, 0.0, 0.0};
-  return constraint;
-}
+Constraint tie(NodeId from, NodeId to) { return test::tie(from, to, {1.0, 0.0, 0.0}); }
 
 TEST(SolverHostile, EmptyGraphAndSingleNode) {
   PoseGraph graph;

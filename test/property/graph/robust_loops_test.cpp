@@ -126,7 +126,6 @@ TEST(RobustLoopsLaws, SettledLoopIsWithdrawnWhereTheRestContradictsIt) {
   }
 }
 
-/// Variances a hundred times too large, or somewhat too small.
 TEST(RobustLoopsLaws, WhereRetiredNodesLieDoesNotMatter) {
   std::mt19937_64 random(4);
   auto problem = test::drivenRounds({}, random);
@@ -163,6 +162,7 @@ TEST(RobustLoopsLaws, WhereRetiredNodesLieDoesNotMatter) {
   }
 }
 
+/// Variances a hundred times too large, or somewhat too small.
 TEST(RobustLoopsLaws, BearsInformationOfTheWrongScale) {
   for (const double confidence : {0.01, 2.0}) {
     SCOPED_TRACE(confidence);

@@ -2,15 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/graphs.h"
+
 namespace omega_slam::graph {
 namespace {
-
-Constraint tie(NodeId from, NodeId to) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  return constraint;
-}
 
 /// Nodes 0 and 3 are held and tied, 1 and 4 held and idle, 5 is neither.
 PoseGraph graphWithIdleNodes() {
@@ -20,7 +15,7 @@ PoseGraph graphWithIdleNodes() {
   }
   graph.held = {0, 4, 1, 3};
   graph.points = {2};
-  graph.constraints = {tie(0, 2), tie(3, 2)};
+  graph.constraints = {test::tie(0, 2), test::tie(3, 2)};
   return graph;
 }
 
@@ -46,7 +41,7 @@ TEST(EstimatedPartUnit, GrowsAndGivesPosesBack) {
   EstimatedPart part(whole);
   whole.poses.push_back({6.0, 0.0, 0.0});
   part.append(6);
-  EXPECT_EQ(part.renumbered(tie(5, 6)).to, 4U);
+  EXPECT_EQ(part.renumbered(test::tie(5, 6)).to, 4U);
   part.place({{10, 0, 0}, {12, 0, 0}, {13, 0, 0}, {15, 0, 0}, {16, 0, 0}}, whole);
   std::vector<double> x;
   for (const geometry::Pose2& pose : whole.poses) {

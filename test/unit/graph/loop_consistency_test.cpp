@@ -2,19 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/graphs.h"
+
 namespace omega_slam::graph {
 namespace {
 
 constexpr NodeId kNodes = 12;
 
 Constraint tie(NodeId from, NodeId to, double x, ConstraintKind kind) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = {x, 0.0, 0.0};
-  constraint.information = 100.0 * Eigen::Matrix3d::Identity();
-  constraint.kind = kind;
-  return constraint;
+  return test::tie(from, to, {x, 0.0, 0.0}, 100.0, kind);
 }
 
 Constraint loop(NodeId from, NodeId to, double x) {

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "support/graphs.h"
+
 namespace omega_slam::graph {
 namespace {
-
-Constraint tie(NodeId from, NodeId to) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  return constraint;
-}
 
 /// 0 - 1 - 2 - ... - 9, a metre each.
 PoseGraph chain() {
@@ -21,7 +16,7 @@ PoseGraph chain() {
   for (NodeId i = 0; i < 10; ++i) {
     graph.poses.push_back({1.0 * i, 0.0, 0.0});
     if (i > 0) {
-      graph.constraints.push_back(tie(i - 1, i));
+      graph.constraints.push_back(test::tie(i - 1, i));
     }
   }
   return graph;
@@ -29,7 +24,7 @@ PoseGraph chain() {
 
 TEST(Neighbourhood, ReachesAsFarAsToldAndHoldsItsRim) {
   const PoseGraph graph = chain();
-  const Neighbourhood near(graph, {tie(4, 5)}, 2);
+  const Neighbourhood near(graph, {test::tie(4, 5)}, 2);
   const PoseGraph part = near.of(graph);
   EXPECT_EQ(near.size(), 6U);  // 2 to 7
   EXPECT_EQ(part.constraints.size(), 5U);
@@ -44,10 +39,11 @@ TEST(Neighbourhood, ReachesAsFarAsToldAndHoldsItsRim) {
 
 TEST(Neighbourhood, HoldsWhatTheWholeHolds) {
   PoseGraph graph = chain();
-  EXPECT_EQ(Neighbourhood(graph, {tie(0, 1)}, 3).of(graph).held.size(), 2U) << "4, and the first";
+  EXPECT_EQ(Neighbourhood(graph, {test::tie(0, 1)}, 3).of(graph).held.size(), 2U)
+      << "4, and the first";
   graph.held = {5, 9};
   graph.points = {4, 8};
-  const PoseGraph part = Neighbourhood(graph, {tie(4, 5)}, 2).of(graph);
+  const PoseGraph part = Neighbourhood(graph, {test::tie(4, 5)}, 2).of(graph);
   EXPECT_EQ(part.held.size(), 3U);
   ASSERT_EQ(part.points.size(), 1U);
   EXPECT_EQ(part.poses[part.points[0]].x, 4.0);
@@ -55,14 +51,14 @@ TEST(Neighbourhood, HoldsWhatTheWholeHolds) {
 
 TEST(Neighbourhood, LeavesOutWhatTiesTheRimToItself) {
   PoseGraph graph = chain();
-  graph.constraints.push_back(tie(2, 7));
-  const Neighbourhood near(graph, {tie(4, 5)}, 2);
+  graph.constraints.push_back(test::tie(2, 7));
+  const Neighbourhood near(graph, {test::tie(4, 5)}, 2);
   EXPECT_EQ(near.of(graph).constraints.size(), 5U);
 }
 
 TEST(Neighbourhood, TellsHowFarItsOuterHalfHasMoved) {
   PoseGraph graph = chain();
-  const Neighbourhood near(graph, {tie(4, 5)}, 4);
+  const Neighbourhood near(graph, {test::tie(4, 5)}, 4);
   PoseGraph part = near.of(graph);
   const auto at = [&](double x) {
     return std::find_if(part.poses.begin(), part.poses.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "omega_slam/slam/back_end.h"
+#include "support/graphs.h"
 
 namespace omega_slam::slam {
 namespace {
@@ -11,21 +12,14 @@ using geometry::Pose2;
 using graph::Constraint;
 using graph::ConstraintKind;
 using graph::NodeId;
+using test::tie;
 
-constexpr int kPatience = 20;  // keyframes, by which a doubt is over
-
-Constraint tie(NodeId from, NodeId to, const Pose2& T_from_to, ConstraintKind kind) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = T_from_to;
-  constraint.information *= 1e4;
-  constraint.kind = kind;
-  return constraint;
-}
+constexpr double kWeight = 1e4;  // a centimetre
+constexpr int kPatience = 20;    // keyframes, by which a doubt is over
 
 Constraint loop(NodeId from, NodeId to, double y = 0.0) {
-  return tie(from, to, {0.5 * (static_cast<double>(to) - from), y, 0.0}, ConstraintKind::kLoop);
+  return tie(from, to, {0.5 * (static_cast<double>(to) - from), y, 0.0}, kWeight,
+             ConstraintKind::kLoop);
 }
 
 Constraint lie(NodeId from, NodeId to) { return loop(from, to, 3.0); }
@@ -37,7 +31,8 @@ void driveOn(BackEnd& back_end, int keyframes) {
     std::vector<Constraint> steps;
     for (const NodeId back : {NodeId{1}, NodeId{10}}) {
       if (back <= id) {
-        steps.push_back(tie(id - back, id, {0.5 * back, 0.0, 0.0}, ConstraintKind::kMatch));
+        steps.push_back(
+            tie(id - back, id, {0.5 * back, 0.0, 0.0}, kWeight, ConstraintKind::kMatch));
       }
     }
     ASSERT_EQ(back_end.addKeyframe(id, {}, steps), "");

@@ -7,6 +7,7 @@
 
 #include "omega_slam/graph/linearization.h"
 #include "support/false_loops.h"
+#include "support/graphs.h"
 #include "support/poses.h"
 
 namespace omega_slam::slam {
@@ -16,17 +17,7 @@ using geometry::Pose2;
 using graph::Constraint;
 using graph::ConstraintKind;
 using graph::NodeId;
-
-Constraint tie(NodeId from, NodeId to, const Pose2& T_from_to, double weight = 1.0,
-               ConstraintKind kind = ConstraintKind::kOdometry) {
-  Constraint constraint;
-  constraint.from = from;
-  constraint.to = to;
-  constraint.T_from_to = T_from_to;
-  constraint.information *= weight;
-  constraint.kind = kind;
-  return constraint;
-}
+using test::tie;
 
 /// A square of four sides of 1 m whose last corner the odometry misses by 20 cm.
 BackEnd squareWithGap() {
