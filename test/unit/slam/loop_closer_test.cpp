@@ -10,6 +10,7 @@
 #include "omega_slam/geometry/angle.h"
 #include "omega_slam/sensing/scan_intake.h"
 #include "support/chains.h"
+#include "support/keyframes.h"
 #include "support/poses.h"
 #include "support/room.h"
 
@@ -17,13 +18,7 @@ namespace omega_slam::slam {
 namespace {
 
 using geometry::Pose2;
-
-KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base, graph::NodeId stretch = 0) {
-  std::mt19937_64 random(id);
-  const auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
-  return std::make_shared<const Keyframe>(
-      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep, stretch});
-}
+using test::keyframeAt;
 
 /// A hall of 12 x 4 m with things in the middle of it.
 test::Room hall() {

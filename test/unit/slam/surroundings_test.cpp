@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "omega_slam/sensing/scan_intake.h"
 #include "support/chains.h"
+#include "support/keyframes.h"
 #include "support/poses.h"
-#include "support/room.h"
 
 namespace omega_slam::slam {
 namespace {
 
 using geometry::Pose2;
-
-KeyframePtr keyframeAt(graph::NodeId id, const Pose2& T_room_base, graph::NodeId stretch = 0) {
-  std::mt19937_64 random(id);
-  const auto scan = test::measure(test::furnishedRoom(), T_room_base, 360, 0.005, random);
-  return std::make_shared<const Keyframe>(
-      Keyframe{id, T_room_base, *sensing::ScanIntake({}).process(scan, {}).sweep, stretch});
-}
+using test::keyframeAt;
 
 std::vector<Pose2> alongTheRoom(int keyframes) {
   std::vector<Pose2> poses;
