@@ -1,10 +1,15 @@
 #include "omega_slam/slam/keyframe.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "omega_slam/geometry/covariance.h"
 
 namespace omega_slam::slam {
+
+graph::NodeId beginOfNewest(graph::NodeId count, const Keyframe& newest) {
+  return std::max(newest.stretch, newest.id >= count ? newest.id - count + 1 : 0);
+}
 
 matching::View viewOf(const sensing::Sweep& sweep) {
   return {sweep.returns(), sweep.T_base_laser.translation()};

@@ -20,6 +20,10 @@ struct Keyframe {
   graph::NodeId stretch{0};
 };
 
+/// Where the newest keyframes of its stretch begin: a keyframe and no more than count - 1 before
+/// it.
+[[nodiscard]] graph::NodeId beginOfNewest(graph::NodeId count, const Keyframe& newest);
+
 /// What a sweep saw, in the frame of the robot's base.
 [[nodiscard]] matching::View viewOf(const sensing::Sweep& sweep);
 

@@ -145,8 +145,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(const graph::PoseGraph
   std::vector<Candidate> all;
   const Eigen::Vector2d seen = graph.poses[id] * seen_[id];
   const double farthest = config_.search_radius + config_.max_window.translation;
-  const NodeId stretch = keyframes_[id]->stretch;
-  const NodeId end = id >= separation ? std::max(stretch, id - separation + 1) : stretch;
+  const NodeId end = beginOfNewest(separation, *keyframes_[id]);
   for (NodeId earlier = 0; earlier < end; ++earlier) {
     const double way = wayTo(seen, graph.poses[earlier], seen_[earlier], farthest);
     if (way > farthest || !known.reaches(earlier)) {

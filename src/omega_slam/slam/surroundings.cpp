@@ -106,8 +106,7 @@ std::vector<NodeId> Surroundings::wanted(const graph::PoseGraph& graph,
     return known.placeDeviation(id) <= config_.max_deviation &&
            known.headingDeviation(id) <= config_.max_deviation;
   };
-  const NodeId tail =
-      std::max(keyframes_[newest]->stretch, newest >= kTail ? newest - kTail + 1 : 0);
+  const NodeId tail = beginOfNewest(kTail, *keyframes_[newest]);
   std::vector<std::pair<double, NodeId>> near;
   for (NodeId id = 0; id < tail; ++id) {
     const double way = distance(graph.poses[id], graph.poses[newest]);
