@@ -15,7 +15,9 @@ FAULTS = {
     'frozen_laser': 'laser frozen, three times 10 s', 'half_blocked': 'half of the view blocked',
     'person': 'a person walks in front', 'kidnapped': 'carried along its way for 20 s',
     'odometry_reset': 'odometry back to zero',
-    'odometry_scale': 'odometry overstates ways by 5 %'}
+    'odometry_scale': 'odometry overstates ways by 5 %',
+    'turn_scale': 'odometry understates turns by 10 %',
+    'laser_askew': 'laser 0.05 rad askew'}
 
 
 def metres(value, digits=3):

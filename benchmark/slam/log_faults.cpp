@@ -29,6 +29,8 @@ constexpr double kPersonSwayTime = 7.0;  // [s] to and fro
 constexpr double kPersonStays = 120.0;   // [s], and is away as long
 constexpr double kCarried = 20.0;        // [s] of the robot's way
 constexpr double kOverstated = 1.05;
+constexpr double kUnderstated = 0.9;
+constexpr double kAskew = 0.05;  // [rad]
 
 /// Calls `fault` for each record with whether it is among the unlucky.
 template <class Fault>
@@ -177,19 +179,26 @@ Records kidnapped(Records records) {
   return records;
 }
 
-Pose2 overstated(const Pose2& motion) {
-  return {kOverstated * motion.x, kOverstated * motion.y, motion.theta};
-}
-
-Records odometryScaled(Records records) {
+/// What the odometry would have made of the run if ways and turns were so many times as large.
+Records odometryScaled(Records records, double ways, double turns) {
+  const auto scaled = [&](const Pose2& motion) {
+    return Pose2{ways * motion.x, ways * motion.y, turns * motion.theta};
+  };
   Pose2 T_odom_base;
   Pose2 before = records.front().T_odom_base;
   for (io::ScanRecord& record : records) {
     const Pose2 now = record.T_odom_base;
-    T_odom_base = T_odom_base * overstated(relativePose(before, now));
+    T_odom_base = T_odom_base * scaled(relativePose(before, now));
     before = now;
     record.T_odom_base = T_odom_base;
-    record.motion_during_sweep = overstated(record.motion_during_sweep);
+    record.motion_during_sweep = scaled(record.motion_during_sweep);
+  }
+  return records;
+}
+
+Records laserAskew(Records records) {
+  for (io::ScanRecord& record : records) {
+    record.mount.T_base_laser.theta += kAskew;
   }
   return records;
 }
@@ -217,7 +226,11 @@ const std::vector<Fault>& faults() {
       {"person", [](Records log, Seed) { return withPerson(std::move(log)); }},
       {"kidnapped", [](Records log, Seed) { return kidnapped(std::move(log)); }},
       {"odometry_reset", [](Records log, Seed) { return odometryReset(std::move(log)); }},
-      {"odometry_scale", [](Records log, Seed) { return odometryScaled(std::move(log)); }}};
+      {"odometry_scale",
+       [](Records log, Seed) { return odometryScaled(std::move(log), kOverstated, 1.0); }},
+      {"turn_scale",
+       [](Records log, Seed) { return odometryScaled(std::move(log), 1.0, kUnderstated); }},
+      {"laser_askew", [](Records log, Seed) { return laserAskew(std::move(log)); }}};
   return faults;
 }
 

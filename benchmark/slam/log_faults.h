@@ -26,6 +26,8 @@ using Records = std::vector<io::ScanRecord>;
 ///                             20 s later; nothing is seen or felt on the way
 ///   odometry_reset            at half of the run the odometry begins again at zero
 ///   odometry_scale            it overstates every way by 5 %
+///   turn_scale                it understates every turn by 10 %
+///   laser_askew               the laser is said to look 0.05 rad farther to the left than it does
 /// @throws std::invalid_argument for another name
 [[nodiscard]] Records withFault(const std::string& name, Records records, std::uint64_t seed);
 

@@ -125,5 +125,21 @@ TEST(LogFaults, OdometryOverstatesWays) {
   EXPECT_NEAR(spoilt.back().T_odom_base.x, 1.05 * 0.1 * (kScans - 1), 1e-6);
 }
 
+TEST(LogFaults, OdometryUnderstatesTurns) {
+  Records log = blindDrive();
+  log[1].T_odom_base.theta = 0.5;
+  const Records spoilt = withFault("turn_scale", log, kSeed);
+  EXPECT_NEAR(spoilt[1].T_odom_base.theta, 0.45, 1e-9);
+  EXPECT_NEAR(spoilt[2].T_odom_base.theta, 0.0, 1e-9);
+}
+
+TEST(LogFaults, LaserLooksAskew) {
+  const Records log = blindDrive();
+  const Records spoilt = withFault("laser_askew", log, kSeed);
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    EXPECT_NEAR(spoilt[k].mount.T_base_laser.theta - log[k].mount.T_base_laser.theta, 0.05, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace omega_slam::experiments
