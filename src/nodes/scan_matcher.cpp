@@ -269,6 +269,8 @@ class ScanMatcherNode {
     diagnostics_.set("keyframes", static_cast<double>(publisher_.keyframes()));
     diagnostics_.set("matches trusted", static_cast<double>(matches_trusted_));
     diagnostics_.set("matches not trusted", static_cast<double>(matches_untrusted_));
+    const std::string faults = describe(front_end_.odometryFaults());
+    diagnostics_.set("faults of the odometry", faults.empty() ? "none" : faults);
     reportLoops();
   }
 

@@ -167,6 +167,9 @@ std::vector<std::string> notesOn(const Account& account, const slam::Pipeline& p
     notes.push_back(fmt::format("{} keyframes have retired from the graph, and {} loops with them.",
                                 pipeline.retiredKeyframes(), pipeline.foldedLoops().size()));
   }
+  if (const std::string faults = describe(pipeline.odometryFaults()); !faults.empty()) {
+    notes.push_back("The odometry is wrong throughout, and was corrected: " + faults + ".");
+  }
   if (!solved.message.empty()) {
     notes.push_back("The last solve failed: " + solved.message + ".");
   }

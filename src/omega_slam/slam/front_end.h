@@ -10,11 +10,11 @@
 #include "omega_slam/motion/motion_predictor.h"
 #include "omega_slam/slam/keyframe.h"
 #include "omega_slam/slam/lost_judge.h"
-#include "omega_slam/slam/odometry_scale.h"
 #include "omega_slam/slam/pair_matcher.h"
 #include "omega_slam/slam/relocaliser.h"
 #include "omega_slam/slam/scan_tracker.h"
 #include "omega_slam/slam/surroundings.h"
+#include "omega_slam/slam/weighed_odometry.h"
 
 namespace omega_slam::slam {
 
@@ -80,11 +80,12 @@ class FrontEnd {
   void reset();  ///< forgets all; the next sweep is keyframe 0
 
   [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
+  /// What is always wrong with the odometry, as far as it has been learnt.
+  [[nodiscard]] OdometryFaults odometryFaults() const { return odometry_.faults(); }
 
  private:
   [[nodiscard]] FrontEndResult begin(const sensing::Sweep& sweep,
                                      const motion::Prediction& prediction);
-  [[nodiscard]] OdometryStep stepTo(const motion::Prediction& prediction, FrontEndResult& result);
   [[nodiscard]] TrackedScan follow(const matching::View& view, const OdometryStep& step,
                                    double seconds);
   [[nodiscard]] bool isOutOfTheDark(const TrackedScan& tracked, const OdometryStep& step) const;
@@ -95,27 +96,21 @@ class FrontEnd {
                     const TrackedScan& tracked, FrontEndResult& result);
   void beginStretch(const sensing::Sweep& sweep, const motion::Prediction& prediction,
                     const TrackedScan& tracked, FrontEndResult& result);
-  void weighOdometry(const Keyframe& from, const Keyframe& to,
-                     const Eigen::Matrix3d& covariance_in_odom, const Belief& matched);
   void matchPairs(const TrackedScan& tracked, FrontEndResult& result) const;
   void resumeAt(const Relocation& found, const sensing::Sweep& sweep,
                 const motion::Prediction& prediction, FrontEndResult& result);
-  [[nodiscard]] graph::Constraint odometryConstraint(const Keyframe& from, const Keyframe& to,
-                                                     const Eigen::Matrix3d& covariance_in_odom,
-                                                     const TrackedScan& tracked) const;
   [[nodiscard]] Belief beliefInMap() const;
   void moveAlong(const geometry::Pose2& before, const geometry::Pose2& after);
 
   FrontEndConfig config_;
   ScanTracker tracker_;
-  OdometryScale odometry_scale_;
+  WeighedOdometry odometry_;
   Surroundings surroundings_;
   LostJudge judge_;
   PairMatcher pairs_;
   Relocaliser relocaliser_;
-  Belief belief_;                ///< `T_local_base` at the last sweep
-  motion::Prediction last_;      ///< of the last sweep
-  bool odometry_jumped_{false};  ///< since the newest keyframe
+  Belief belief_;           ///< `T_local_base` at the last sweep
+  double last_stamp_{0.0};  ///< [s] of the last sweep
 };
 
 }  // namespace omega_slam::slam

@@ -57,6 +57,8 @@ class Pipeline {
   [[nodiscard]] const std::vector<graph::Constraint>& foldedLoops() const {
     return back_end_.folded();
   }
+  /// FrontEnd::odometryFaults()
+  [[nodiscard]] OdometryFaults odometryFaults() const { return front_end_.odometryFaults(); }
   [[nodiscard]] std::size_t retiredKeyframes() const { return back_end_.retired(); }
   [[nodiscard]] const std::vector<KeyframePtr>& keyframes() const { return keyframes_; }
 

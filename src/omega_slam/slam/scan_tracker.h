@@ -17,6 +17,7 @@ namespace omega_slam::slam {
 struct OdometryStep {
   geometry::Pose2 motion;                               ///< `T_before_after` of the base
   Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};  ///< in the axes of `before`
+  bool has_jumped{false};  ///< no motion is like that: next to none is known
 };
 
 /// Where a scan was taken, by the odometry and by what it saw.

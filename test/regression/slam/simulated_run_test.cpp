@@ -35,8 +35,10 @@ simulation::RouteDrive drive(std::uint64_t seed, double noise = 1.0, double seco
 }
 
 /// Plays a drive. @return how many scans have left the robot lost
-int play(const simulation::RouteDrive& run, slam::Pipeline& pipeline) {
-  const sensing::LaserMount mount{simulation::TurtleBotConfig{}.T_base_laser, false};
+/// @param askew [rad] to the left that the laser is said to look of where it does
+int play(const simulation::RouteDrive& run, slam::Pipeline& pipeline, double askew = 0.0) {
+  sensing::LaserMount mount{simulation::TurtleBotConfig{}.T_base_laser, false};
+  mount.T_base_laser.theta += askew;
   int lost = 0;
   for (const auto& taken : run.scans) {
     lost +=
@@ -87,6 +89,51 @@ TEST(SimulatedRun, BadOdometryIsMended) {
   const double by_wheels =
       evaluation::absoluteTrajectoryError(odometry, run.truth).translation.mean;
   EXPECT_LT(mapRun(run).error.translation.mean, 0.5 * by_wheels);
+}
+
+/// The run of a robot whose wheels are smaller than it believes, by a twentieth.
+simulation::RouteDrive withSmallWheels(simulation::RouteDrive run) {
+  const auto overstated = [](const geometry::Pose2& motion) {
+    return geometry::Pose2{1.05 * motion.x, 1.05 * motion.y, motion.theta};
+  };
+  geometry::Pose2 before = run.scans.front().T_odom_base;
+  geometry::Pose2 T_odom_base = before;
+  for (simulation::DriveScan& taken : run.scans) {
+    T_odom_base = T_odom_base * overstated(relativePose(before, taken.T_odom_base));
+    before = taken.T_odom_base;
+    taken.T_odom_base = T_odom_base;
+    taken.motion_during_sweep = overstated(taken.motion_during_sweep);
+  }
+  return run;
+}
+
+/// Twelve seeds gave errors of 0.059 +- 0.028 m, and ways that were learnt to be 0.0454 +- 0.0019
+/// shorter; bounds are four deviations away. Where nothing is learnt, six gave 0.21 to 0.27 m.
+TEST(SimulatedRun, SmallWheelsAreLearnt) {
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    const simulation::RouteDrive run = withSmallWheels(drive(seed, 1.0, 300.0, world("office")));
+    slam::Pipeline pipeline;
+    play(run, pipeline);
+    const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
+    EXPECT_LT(error.translation.mean, 0.17);
+    EXPECT_NEAR(pipeline.odometryFaults().way, 1.0 / 1.05 - 1.0, 0.01);
+  }
+}
+
+/// Twelve seeds gave errors of 0.043 +- 0.015 m and an angle of 0.0494 +- 0.0008 rad. Where nothing
+/// is learnt, six gave 0.17 to 0.35 m.
+TEST(SimulatedRun, ALaserThatLooksAskewIsLearnt) {
+  constexpr double kAskew = 0.05;  // [rad]
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    const simulation::RouteDrive run = drive(seed, 1.0, 300.0, world("office"));
+    slam::Pipeline pipeline;
+    play(run, pipeline, kAskew);
+    const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
+    EXPECT_LT(error.translation.mean, 0.11);
+    EXPECT_NEAR(pipeline.odometryFaults().aside, kAskew, 0.004);
+  }
 }
 
 /// Ten seconds without a scan, after which the robot looks at a part of the office that it has not
