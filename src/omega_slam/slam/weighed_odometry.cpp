@@ -63,9 +63,9 @@ OdometryStep WeighedOdometry::stepTo(const motion::Prediction& prediction) {
     step.motion = {};
     step.covariance = nearlyNothing();
   } else {
-    step.motion = calibration_.corrected(step.motion);
-    step.covariance = kStepShare * scale_.value() *
+    step.covariance = kStepShare * scaleFor(step.motion) *
                       geometry::rotateCovariance(growthTo(prediction), -last_.T_odom_base.theta);
+    step.motion = calibration_.corrected(step.motion);
   }
   last_ = prediction;
   return step;

@@ -42,10 +42,15 @@ TEST(WeighedOdometry, StepsAndConstraintsAreWithoutItsFaults) {
 
 /// The faults are in a motion that is too long to be corrected, and so must its noise be.
 TEST(WeighedOdometry, LongMotionsAreAsNoisyAsTheyWereBeforeItsFaultsWereKnown) {
-  const WeighedOdometry odometry = afterWays(200);
+  WeighedOdometry odometry = afterWays(200);
   const graph::Constraint far = constraintAlong(odometry, 4.0);
   EXPECT_EQ(far.T_from_to.x, 4.0);
   EXPECT_GT(deviationAlong(far), 1.5 * deviationAlong(constraintAlong(odometry, 0.4)));
+  odometry.begin({0.0, {}, Eigen::Matrix3d::Zero()});
+  const OdometryStep near = odometry.stepTo({0.5, {0.2, 0.0, 0.0}, kStated});
+  const OdometryStep leap = odometry.stepTo({9.0, {4.2, 0.0, 0.0}, 2.0 * kStated});
+  EXPECT_EQ(leap.motion.x, 4.0);
+  EXPECT_GT(leap.covariance(0, 0), 1.5 * near.covariance(0, 0));
 }
 
 TEST(WeighedOdometry, NothingIsKnownWhereItJumps) {
