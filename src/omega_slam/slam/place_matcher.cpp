@@ -77,14 +77,22 @@ std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
   return found;
 }
 
+std::vector<NodeId> neighboursOf(NodeId center, NodeId reach, const KnownPlaces& known) {
+  const NodeId stretch = known.keyframes[center]->stretch;
+  const auto end = static_cast<NodeId>(std::min(known.keyframes.size(), known.poses.size()));
+  std::vector<NodeId> ids;
+  for (NodeId id = beginOfNewest(reach + 1, *known.keyframes[center]);
+       id < std::min(center + reach + 1, end) && known.keyframes[id]->stretch == stretch; ++id) {
+    ids.push_back(id);
+  }
+  return ids;
+}
+
 matching::Reference placeAround(NodeId center, NodeId reach, const KnownPlaces& known) {
   const auto& [keyframes, poses] = known;
-  const NodeId first = center > reach ? center - reach : 0;
-  const auto last = std::min<NodeId>(
-      center + reach, static_cast<NodeId>(std::min(keyframes.size(), poses.size()) - 1));
   matching::Reference place;
-  for (NodeId id = first; id <= last; ++id) {
-    if (id != center && keyframes[id]->stretch == keyframes[center]->stretch) {
+  for (const NodeId id : neighboursOf(center, reach, known)) {
+    if (id != center) {
       const Pose2 T_center_id = relativePose(poses[center], poses[id]);
       place.push_back(matching::transformed(T_center_id, viewOf(keyframes[id]->sweep)));
     }

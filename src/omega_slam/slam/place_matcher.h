@@ -55,9 +55,13 @@ struct KnownPlaces {
   const std::vector<geometry::Pose2>& poses;  ///< `T_map_base` of the first so many of them
 };
 
-/// What a keyframe and its neighbours of the same stretch saw, in its frame; its own view is the
-/// last. Those without a pose are left out.
+/// A keyframe and its neighbours of the same stretch, in their order. Those without a pose are left
+/// out.
 /// @param reach neighbours on each side
+[[nodiscard]] std::vector<graph::NodeId> neighboursOf(graph::NodeId center, graph::NodeId reach,
+                                                      const KnownPlaces& known);
+
+/// What these saw, in the frame of the keyframe; its own view is the last.
 [[nodiscard]] matching::Reference placeAround(graph::NodeId center, graph::NodeId reach,
                                               const KnownPlaces& known);
 

@@ -149,9 +149,7 @@ void Surroundings::leave() {
 void Surroundings::moveTo(NodeId center) {
   leave();
   T_map_local_ = {};
-  const NodeId first = center > kTail / 2 ? center - kTail / 2 : 0;
-  const auto end = std::min<NodeId>(center + kTail / 2, static_cast<NodeId>(poses_.size()));
-  for (NodeId id = first; id < end; ++id) {
+  for (const NodeId id : neighboursOf(center, kTail / 2, known())) {
     draw(id, poses_[id]);
   }
 }

@@ -57,8 +57,8 @@ class Surroundings {
   /// next.
   void leave();
 
-  /// Draws the surroundings of an earlier keyframe, and nothing else, in the graph's frame, as it
-  /// was believed last. A keyframe is to be added next.
+  /// Draws the surroundings of an earlier keyframe, of its stretch, and nothing else, in the
+  /// graph's frame, as it was believed last. A keyframe is to be added next.
   /// @param center one whose pose is known
   void moveTo(graph::NodeId center);
 

@@ -114,6 +114,19 @@ TEST(Surroundings, AStretchBeforeComesInOnceItIsKnownWell) {
   EXPECT_TRUE(surroundings.isDrawn(2));
 }
 
+TEST(Surroundings, AnEarlierPlaceIsDrawnWithItsStretchAlone) {
+  const auto poses = alongTheRoom(9);
+  Surroundings surroundings({}, {});
+  for (graph::NodeId id = 0; id < 9; ++id) {
+    surroundings.add(keyframeAt(id, poses[id], id - id % 3), poses[id]);
+  }
+  (void)surroundings.believe(test::chainOf(poses, 0.01));
+  surroundings.moveTo(4);
+  for (graph::NodeId id = 0; id < 9; ++id) {
+    EXPECT_EQ(surroundings.isDrawn(id), id >= 3 && id < 6) << id;
+  }
+}
+
 TEST(Surroundings, ConfigurationIsChecked) {
   SurroundingsConfig config;
   config.radius = 0.0;
