@@ -81,15 +81,20 @@ std::string describe(const OdometryFaults& faults) {
 
 OdometryCalibration::OdometryCalibration() : covariance_(kUsual.cwiseAbs2().asDiagonal()) {}
 
-void OdometryCalibration::note(const Pose2& by_odometry, const Pose2& by_match,
-                               const Eigen::Matrix3d& covariance) {
-  if (!isFor(by_odometry)) {
+/// The faults are looked for in the motion as both have it: in that, the noise of neither shows as
+/// a fault. (Turns of a robot that drives straight on are all noise of the odometry; in these, it
+/// would seem to overstate every turn.)
+void OdometryCalibration::note(const Belief& by_odometry, const Belief& by_match) {
+  if (!isFor(by_odometry.pose)) {
     return;
   }
-  const Pose2 expected = moved(by_odometry, mean_);
-  const Eigen::Vector3d innovation{by_match.x - expected.x, by_match.y - expected.y,
-                                   geometry::angleDifference(by_match.theta, expected.theta)};
-  const Eigen::Matrix<double, 3, 4> effects = effectsOn(by_odometry);
+  const Pose2 expected = moved(by_odometry.pose, mean_);
+  const Eigen::Vector3d innovation = differenceOf(by_match.pose, expected);
+  const Eigen::Matrix3d covariance = by_odometry.covariance + by_match.covariance;
+  const Eigen::Vector3d by_both =
+      expected.vector() +
+      by_odometry.covariance * Eigen::LDLT<Eigen::Matrix3d>(covariance).solve(innovation);
+  const Eigen::Matrix<double, 3, 4> effects = effectsOn(Pose2::fromVector(by_both));
   const Eigen::LDLT<Eigen::Matrix3d> spread(effects * covariance_ * effects.transpose() +
                                             covariance);
   if (!(innovation.dot(spread.solve(innovation)) <= kMostSurprise)) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "omega_slam/geometry/pose2.h"
+#include "omega_slam/slam/belief.h"
 
 namespace omega_slam::slam {
 
@@ -31,11 +32,10 @@ class OdometryCalibration {
  public:
   OdometryCalibration();
 
-  /// @param by_odometry a motion, in the axes of its start, as the odometry has it
-  /// @param by_match the same motion by what was seen
-  /// @param covariance of their difference, without such faults [m^2, m rad, rad^2]
-  void note(const geometry::Pose2& by_odometry, const geometry::Pose2& by_match,
-            const Eigen::Matrix3d& covariance);
+  /// @param by_odometry a motion as the odometry has it, and how far that may be off, such faults
+  /// aside; in the axes of its start
+  /// @param by_match the same by what was seen
+  void note(const Belief& by_odometry, const Belief& by_match);
 
   /// As far as they are believed.
   [[nodiscard]] OdometryFaults faults() const;

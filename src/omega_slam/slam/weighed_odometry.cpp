@@ -125,9 +125,10 @@ void WeighedOdometry::weigh(const Keyframe& from, const Keyframe& to,
   const Eigen::Matrix3d covariance = geometry::rotateCovariance(covariance_in_odom, turn);
   raw_scale_.note({T_local_from * motion, covariance}, matched);
   scale_.note({T_local_from * calibration_.corrected(motion), covariance}, matched);
-  const Eigen::Matrix3d spread = scale_.value() * covariance + matched.covariance;
-  calibration_.note(motion, relativePose(T_local_from, matched.pose),
-                    geometry::rotateCovariance(spread, -T_local_from.theta));
+  calibration_.note(
+      {motion, geometry::rotateCovariance(scale_.value() * covariance, -T_local_from.theta)},
+      {relativePose(T_local_from, matched.pose),
+       geometry::rotateCovariance(matched.covariance, -T_local_from.theta)});
 }
 
 }  // namespace omega_slam::slam

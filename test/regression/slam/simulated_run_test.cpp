@@ -107,7 +107,7 @@ simulation::RouteDrive withSmallWheels(simulation::RouteDrive run) {
   return run;
 }
 
-/// Twelve seeds gave errors of 0.059 +- 0.028 m, and ways that were learnt to be 0.0454 +- 0.0019
+/// Twelve seeds gave errors of 0.060 +- 0.023 m, and ways that were learnt to be 0.0431 +- 0.0019
 /// shorter; bounds are four deviations away. Where nothing is learnt, six gave 0.21 to 0.27 m.
 TEST(SimulatedRun, SmallWheelsAreLearnt) {
   for (const auto seed : test::seeds()) {
@@ -117,11 +117,11 @@ TEST(SimulatedRun, SmallWheelsAreLearnt) {
     play(run, pipeline);
     const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
     EXPECT_LT(error.translation.mean, 0.17);
-    EXPECT_NEAR(pipeline.odometryFaults().way, 1.0 / 1.05 - 1.0, 0.01);
+    EXPECT_NEAR(pipeline.odometryFaults().way, 1.0 / 1.05 - 1.0, 0.013);
   }
 }
 
-/// Twelve seeds gave errors of 0.043 +- 0.015 m and an angle of 0.0494 +- 0.0008 rad. Where nothing
+/// Twelve seeds gave errors of 0.045 +- 0.018 m and an angle of 0.0496 +- 0.0011 rad. Where nothing
 /// is learnt, six gave 0.17 to 0.35 m.
 TEST(SimulatedRun, ALaserThatLooksAskewIsLearnt) {
   constexpr double kAskew = 0.05;  // [rad]
@@ -131,8 +131,8 @@ TEST(SimulatedRun, ALaserThatLooksAskewIsLearnt) {
     slam::Pipeline pipeline;
     play(run, pipeline, kAskew);
     const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
-    EXPECT_LT(error.translation.mean, 0.11);
-    EXPECT_NEAR(pipeline.odometryFaults().aside, kAskew, 0.004);
+    EXPECT_LT(error.translation.mean, 0.12);
+    EXPECT_NEAR(pipeline.odometryFaults().aside, kAskew, 0.005);
   }
 }
 

@@ -14,7 +14,17 @@ namespace {
 
 using geometry::Pose2;
 
-const Eigen::Vector3d kNoise{0.008, 0.004, 0.01};  // [m], [m], [rad] of odometry and match together
+/// Deviations of the odometry's motions and of the match's [m], [m], [rad].
+struct Noise {
+  Eigen::Vector3d odometry{0.006, 0.003, 0.008};
+  Eigen::Vector3d match{0.005, 0.003, 0.004};
+};
+
+Eigen::Matrix3d covarianceOf(const Eigen::Vector3d& deviations) {
+  return deviations.cwiseAbs2().asDiagonal();
+}
+
+Belief standing() { return {{}, covarianceOf(Noise{}.match)}; }
 
 /// A robot that drives arcs, and what it learns of its odometry.
 class Calibrated {
@@ -22,16 +32,19 @@ class Calibrated {
   explicit Calibrated(std::uint64_t seed) : random_(seed) {}
 
   /// Drives so many arcs of 0.4 m with an odometry that has these faults.
-  void drive(int arcs, const OdometryFaults& faults, const Eigen::Vector3d& noise = kNoise,
-             const Eigen::Vector3d& stated = kNoise) {
+  /// @param turning [rad] deviation of the turns
+  void drive(int arcs, const OdometryFaults& faults, const Noise& noise = {},
+             double turning = 0.3) {
     std::normal_distribution<double> normal;
+    const auto off = [&](const Pose2& motion, const Eigen::Vector3d& by) {
+      const Eigen::Vector3d error{by.x() * normal(random_), by.y() * normal(random_),
+                                  by.z() * normal(random_)};
+      return Belief{Pose2::fromVector(motion.vector() + error), covarianceOf(by)};
+    };
     for (int i = 0; i < arcs; ++i) {
-      const motion::Arc felt{0.4, 0.3 * normal(random_)};
-      const Eigen::Vector3d error{noise.x() * normal(random_), noise.y() * normal(random_),
-                                  noise.z() * normal(random_)};
-      calibration.note(felt.toMotion(),
-                       Pose2::fromVector(trueMotion(felt, faults).vector() + error),
-                       stated.cwiseAbs2().asDiagonal());
+      const motion::Arc felt{0.4, turning * normal(random_)};
+      const Belief by_odometry = off(felt.toMotion(), noise.odometry);
+      calibration.note(by_odometry, off(trueMotion(felt, faults), noise.match));
     }
   }
 
@@ -107,10 +120,19 @@ TEST(OdometryCalibration, FaultsThatChangeAreFollowed) {
 }
 
 TEST(OdometryCalibration, WhatAMatchDoesNotKnowTeachesNothing) {
-  const Eigen::Vector3d corridor{10.0, kNoise.y(), kNoise.z()};  // the way along is not seen
+  Noise corridor;
+  corridor.match.x() = 1.0;  // the way along is not seen
   Calibrated robot(4);
-  robot.drive(400, {0.0, 0.0, -0.1, 0.0}, {0.5, kNoise.y(), kNoise.z()}, corridor);
+  robot.drive(400, {0.0, 0.0, -0.1, 0.0}, corridor);
   expectNear(robot.calibration.faults(), {0.0, 0.0, -0.1, 0.0}, 0.015);
+}
+
+TEST(OdometryCalibration, TurnsThatAreNothingButNoiseTeachNothing) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Calibrated robot(seed);
+    robot.drive(1000, {}, {}, 0.0);
+    expectNear(robot.calibration.faults(), {}, 0.05);
+  }
 }
 
 TEST(OdometryCalibration, SlipsTeachNothing) {
@@ -118,7 +140,8 @@ TEST(OdometryCalibration, SlipsTeachNothing) {
   robot.drive(400, {});
   const OdometryFaults before = robot.calibration.faults();
   for (int i = 0; i < 20; ++i) {
-    robot.calibration.note({0.4, 0.0, 0.0}, {0.1, 0.0, 0.0}, kNoise.cwiseAbs2().asDiagonal());
+    robot.calibration.note({{0.4, 0.0, 0.0}, covarianceOf(Noise{}.odometry)},
+                           {{0.1, 0.0, 0.0}, covarianceOf(Noise{}.match)});
   }
   expectNear(robot.calibration.faults(), before, 0.0);
 }
@@ -127,10 +150,10 @@ TEST(OdometryCalibration, StandingStillAndNonsenseTeachNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   OdometryCalibration calibration;
   for (int i = 0; i < 100; ++i) {
-    calibration.note({}, {}, Eigen::Matrix3d::Zero());
-    calibration.note({}, {0.001, 0.0, 0.0}, kNoise.cwiseAbs2().asDiagonal());
-    calibration.note({nan, 0.0, 0.0}, {0.4, 0.0, 0.0}, kNoise.cwiseAbs2().asDiagonal());
-    calibration.note({0.4, 0.0, 0.0}, {0.5, 0.0, 0.0}, Eigen::Matrix3d::Constant(nan));
+    calibration.note({}, {});
+    calibration.note({}, standing());
+    calibration.note({{nan, 0.0, 0.0}, {}}, standing());
+    calibration.note({{0.4, 0.0, 0.0}, Eigen::Matrix3d::Constant(nan)}, standing());
   }
   expectNear(calibration.faults(), {}, 0.0);
   const Pose2 motion = calibration.corrected({0.4, 0.1, 0.2});
