@@ -14,10 +14,10 @@ using geometry::Pose2;
 
 namespace {
 
-/// Deviations of the faults of robots as they come.
+/// Deviations of the faults of robots as they come, in the order of OdometryFaults.
 const Eigen::Vector4d kUsual{0.05, 0.05, 0.05, 0.02};
 
-/// Of the variance at first, that comes back with each motion: what was learnt some thousands of
+/// Of the variance at first, that comes back with each motion: what was learnt some hundreds of
 /// motions ago counts little.
 constexpr double kForgotten = 2e-5;
 
@@ -27,19 +27,30 @@ constexpr double kChance = 2.0;
 /// Squared Mahalanobis distance of which nothing is learnt: slips and wrong matches.
 constexpr double kMostSurprise = 12.0;
 
+/// Less may be nothing but noise.
+constexpr double kShortArc = 0.05;  // [m]
+constexpr double kSmallArc = 0.02;  // [rad]
+
 /// Beyond that, how the robot has come there need not have been an arc.
 constexpr double kLongArc = 2.0;   // [m]
 constexpr double kLargeArc = 1.0;  // [rad]
 
 /// How the faults show in a motion. Turns come evenly all along an arc, which leads aside by half
 /// of what they are wrong by.
-Eigen::Matrix<double, 3, 4> effectsOn(const Pose2& motion) {
+OdometryCalibration::Effects effectsOn(const Pose2& motion) {
   const Eigen::RowVector2d turn{motion.theta, motion.x};
-  Eigen::Matrix<double, 3, 4> effects;
+  OdometryCalibration::Effects effects;
   effects << motion.x, -motion.y, -0.5 * motion.y * turn,  //
       motion.y, motion.x, 0.5 * motion.x * turn,           //
       0.0, 0.0, turn;
   return effects;
+}
+
+/// What of a motion is more than noise.
+Pose2 clearPartOf(const Pose2& motion) {
+  const bool drives = motion.translation().norm() >= kShortArc;
+  const bool turns = std::abs(motion.theta) >= kSmallArc;
+  return {drives ? motion.x : 0.0, drives ? motion.y : 0.0, turns ? motion.theta : 0.0};
 }
 
 Pose2 moved(const Pose2& motion, const Eigen::Vector4d& faults) {
@@ -63,8 +74,8 @@ std::string describe(const OdometryFaults& faults) {
     const bool to_left = faults.aside > 0.0;
     parts.push_back(fmt::format(
         "ways lead {:.1f} degrees farther to the {}, as if the laser looked as far to the {} of "
-        "how "
-        "it is said to be mounted",
+        "its "
+        "mount",
         kDegrees * std::abs(faults.aside), to_left ? "left" : "right", to_left ? "right" : "left"));
   }
   if (std::abs(faults.turn) > kSlight) {
@@ -94,7 +105,7 @@ void OdometryCalibration::note(const Belief& by_odometry, const Belief& by_match
   const Eigen::Vector3d by_both =
       expected.vector() +
       by_odometry.covariance * Eigen::LDLT<Eigen::Matrix3d>(covariance).solve(innovation);
-  const Eigen::Matrix<double, 3, 4> effects = effectsOn(Pose2::fromVector(by_both));
+  const Effects effects = effectsOn(clearPartOf(Pose2::fromVector(by_both)));
   const Eigen::LDLT<Eigen::Matrix3d> spread(effects * covariance_ * effects.transpose() +
                                             covariance);
   if (!(innovation.dot(spread.solve(innovation)) <= kMostSurprise)) {
@@ -104,7 +115,15 @@ void OdometryCalibration::note(const Belief& by_odometry, const Belief& by_match
   mean_ += gain * innovation;
   const Eigen::Matrix4d rest = covariance_ - gain * effects * covariance_;
   covariance_ = 0.5 * (rest + rest.transpose());
-  covariance_.diagonal() += kForgotten * kUsual.cwiseAbs2();
+  forget(effects);
+}
+
+/// What a motion does not show is not forgotten either: a robot that stands for a week, or only
+/// turns, knows as much of its ways as before.
+void OdometryCalibration::forget(const Effects& effects) {
+  const auto isShown = effects.colwise().squaredNorm().array().transpose() > 0.0;
+  covariance_.diagonal() +=
+      kForgotten * isShown.select(kUsual.cwiseAbs2(), Eigen::Vector4d::Zero());
 }
 
 /// Shrunk towards none, as James and Stein do, each by its own deviation.

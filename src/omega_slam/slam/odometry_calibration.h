@@ -30,6 +30,8 @@ struct OdometryFaults {
 /// out from chance: a robot without faults goes on as if nothing were learnt.
 class OdometryCalibration {
  public:
+  using Effects = Eigen::Matrix<double, 3, 4>;  ///< of each fault on a motion (x, y, theta)
+
   OdometryCalibration();
 
   /// @param by_odometry a motion as the odometry has it, and how far that may be off, such faults
@@ -48,6 +50,7 @@ class OdometryCalibration {
   [[nodiscard]] geometry::Pose2 corrected(const geometry::Pose2& by_odometry) const;
 
  private:
+  void forget(const Effects& effects);
   [[nodiscard]] Eigen::Vector4d believed() const;
 
   Eigen::Vector4d mean_{Eigen::Vector4d::Zero()};  ///< in the order of OdometryFaults

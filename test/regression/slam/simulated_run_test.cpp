@@ -107,7 +107,7 @@ simulation::RouteDrive withSmallWheels(simulation::RouteDrive run) {
   return run;
 }
 
-/// Twelve seeds gave errors of 0.060 +- 0.023 m, and ways that were learnt to be 0.0431 +- 0.0019
+/// Twelve seeds gave errors of 0.068 +- 0.026 m, and ways that were learnt to be 0.0433 +- 0.0018
 /// shorter; bounds are four deviations away. Where nothing is learnt, six gave 0.21 to 0.27 m.
 TEST(SimulatedRun, SmallWheelsAreLearnt) {
   for (const auto seed : test::seeds()) {
@@ -121,7 +121,7 @@ TEST(SimulatedRun, SmallWheelsAreLearnt) {
   }
 }
 
-/// Twelve seeds gave errors of 0.045 +- 0.018 m and an angle of 0.0496 +- 0.0011 rad. Where nothing
+/// Twelve seeds gave errors of 0.047 +- 0.013 m and an angle of 0.0498 +- 0.0007 rad. Where nothing
 /// is learnt, six gave 0.17 to 0.35 m.
 TEST(SimulatedRun, ALaserThatLooksAskewIsLearnt) {
   constexpr double kAskew = 0.05;  // [rad]
@@ -131,8 +131,8 @@ TEST(SimulatedRun, ALaserThatLooksAskewIsLearnt) {
     slam::Pipeline pipeline;
     play(run, pipeline, kAskew);
     const auto error = evaluation::absoluteTrajectoryError(pipeline.trajectory(), run.truth);
-    EXPECT_LT(error.translation.mean, 0.12);
-    EXPECT_NEAR(pipeline.odometryFaults().aside, kAskew, 0.005);
+    EXPECT_LT(error.translation.mean, 0.1);
+    EXPECT_NEAR(pipeline.odometryFaults().aside, kAskew, 0.004);
   }
 }
 

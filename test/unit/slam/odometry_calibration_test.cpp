@@ -135,6 +135,28 @@ TEST(OdometryCalibration, TurnsThatAreNothingButNoiseTeachNothing) {
   }
 }
 
+TEST(OdometryCalibration, ARobotThatStandsForgetsNothing) {
+  Calibrated robot(7);
+  robot.drive(400, kFaults.back());
+  const OdometryFaults before = robot.calibration.faults();
+  for (int i = 0; i < 100000; ++i) {  // eleven days, with a keyframe every ten seconds
+    robot.calibration.note({{0.002, 0.0, 0.001}, covarianceOf(Noise{}.odometry)}, standing());
+  }
+  expectNear(robot.calibration.faults(), before, 0.0);
+}
+
+TEST(OdometryCalibration, ARobotThatOnlyTurnsLearnsNothingOfItsWays) {
+  Calibrated robot(8);
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100000; ++i) {
+    robot.calibration.note({{0.004 * normal(random), 0.0, 0.4}, covarianceOf(Noise{}.odometry)},
+                           {{0.004 * normal(random), 0.0, 0.4}, covarianceOf(Noise{}.match)});
+  }
+  EXPECT_NEAR(robot.calibration.faults().way, 0.0, 0.1);
+  EXPECT_NEAR(robot.calibration.faults().aside, 0.0, 0.1);
+}
+
 TEST(OdometryCalibration, SlipsTeachNothing) {
   Calibrated robot(5);
   robot.drive(400, {});
@@ -167,7 +189,7 @@ TEST(OdometryFaults, AreDescribed) {
             "ways are 4.8 % longer than it has them; turns are 2.0 % smaller");
   EXPECT_EQ(describe({0.0, 0.05, 0.0, -0.02}),
             "ways lead 2.9 degrees farther to the left, as if the laser looked as far to the right "
-            "of how it is said to be mounted; each metre forward turns by 1.1 degrees more to the "
+            "of its mount; each metre forward turns by 1.1 degrees more to the "
             "right");
 }
 
