@@ -74,9 +74,8 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
     result.remarks.emplace_back("the odometry has jumped");
   }
   const matching::View view = viewOf(sweep);
-  const TrackedScan tracked = follow(view, step, prediction.stamp - last_stamp_);
+  const TrackedScan tracked = follow(view, step);
   belief_ = tracked.belief;
-  last_stamp_ = prediction.stamp;
   result.match = tracked.match;
   result.match_trusted = tracked.is_trusted;
   result.is_lost = judge_.isLost();
@@ -106,13 +105,13 @@ FrontEndResult FrontEnd::process(const sensing::Sweep& sweep,
 }
 
 /// Tracks a scan, and judges what that says. A robot that is lost goes by its odometry.
-TrackedScan FrontEnd::follow(const matching::View& view, const OdometryStep& step, double seconds) {
+TrackedScan FrontEnd::follow(const matching::View& view, const OdometryStep& step) {
   TrackedScan tracked = tracker_.track(surroundings_.map(), view, belief_, step);
   if (!tracked.is_trusted && !judge_.isLost()) {
     tracked = tracker_.recover(surroundings_.map(), view, tracked);
   }
   if (!isOutOfTheDark(tracked, step)) {
-    judge_.note(tracked, step.motion, seconds);
+    judge_.note(tracked, step.motion, step.seconds);
   }
   if (judge_.isLost()) {
     tracked.belief = tracked.predicted;
@@ -138,7 +137,6 @@ FrontEndResult FrontEnd::begin(const sensing::Sweep& sweep, const motion::Predic
   result.keyframe = std::make_shared<const Keyframe>(Keyframe{0, prediction.T_odom_base, sweep});
   surroundings_.add(result.keyframe, {});
   belief_ = {};
-  last_stamp_ = prediction.stamp;
   odometry_.begin(prediction);
   return result;
 }

@@ -86,8 +86,7 @@ class FrontEnd {
  private:
   [[nodiscard]] FrontEndResult begin(const sensing::Sweep& sweep,
                                      const motion::Prediction& prediction);
-  [[nodiscard]] TrackedScan follow(const matching::View& view, const OdometryStep& step,
-                                   double seconds);
+  [[nodiscard]] TrackedScan follow(const matching::View& view, const OdometryStep& step);
   [[nodiscard]] bool isOutOfTheDark(const TrackedScan& tracked, const OdometryStep& step) const;
   [[nodiscard]] graph::NodeId next() const { return surroundings_.keyframes().back()->id + 1; }
   [[nodiscard]] KeyframePtr keep(const sensing::Sweep& sweep, const motion::Prediction& prediction,
@@ -109,8 +108,7 @@ class FrontEnd {
   LostJudge judge_;
   PairMatcher pairs_;
   Relocaliser relocaliser_;
-  Belief belief_;           ///< `T_local_base` at the last sweep
-  double last_stamp_{0.0};  ///< [s] of the last sweep
+  Belief belief_;  ///< `T_local_base` at the last sweep
 };
 
 }  // namespace omega_slam::slam

@@ -17,6 +17,7 @@ namespace omega_slam::slam {
 struct OdometryStep {
   geometry::Pose2 motion;                               ///< `T_before_after` of the base
   Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};  ///< in the axes of `before`
+  double seconds{0.0};                                  ///< that it has taken
   bool has_jumped{false};  ///< no motion is like that: next to none is known
 };
 

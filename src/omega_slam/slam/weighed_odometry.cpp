@@ -55,9 +55,10 @@ void WeighedOdometry::begin(const motion::Prediction& prediction) {
 OdometryStep WeighedOdometry::stepTo(const motion::Prediction& prediction) {
   OdometryStep step;
   step.motion = relativePose(last_.T_odom_base, prediction.T_odom_base);
-  const double seconds = std::max(prediction.stamp - last_.stamp, 0.0) + kLatency;
-  step.has_jumped = std::hypot(step.motion.x, step.motion.y) > max_speed_ * seconds ||
-                    std::abs(step.motion.theta) > max_turn_rate_ * seconds;
+  step.seconds = prediction.stamp - last_.stamp;
+  const double most = std::max(step.seconds, 0.0) + kLatency;
+  step.has_jumped = std::hypot(step.motion.x, step.motion.y) > max_speed_ * most ||
+                    std::abs(step.motion.theta) > max_turn_rate_ * most;
   if (step.has_jumped) {
     has_jumped_ = true;
     step.motion = {};
@@ -120,15 +121,14 @@ void WeighedOdometry::weigh(const Keyframe& from, const Keyframe& to,
   if (has_jumped_) {
     return;
   }
-  const double turn = T_local_from.theta - from.T_odom_base.theta;
   const Pose2 motion = relativePose(from.T_odom_base, to.T_odom_base);
-  const Eigen::Matrix3d covariance = geometry::rotateCovariance(covariance_in_odom, turn);
-  raw_scale_.note({T_local_from * motion, covariance}, matched);
-  scale_.note({T_local_from * calibration_.corrected(motion), covariance}, matched);
-  calibration_.note(
-      {motion, geometry::rotateCovariance(scale_.value() * covariance, -T_local_from.theta)},
-      {relativePose(T_local_from, matched.pose),
-       geometry::rotateCovariance(matched.covariance, -T_local_from.theta)});
+  const Eigen::Matrix3d covariance =
+      geometry::rotateCovariance(covariance_in_odom, -from.T_odom_base.theta);
+  const Belief seen{relativePose(T_local_from, matched.pose),
+                    geometry::rotateCovariance(matched.covariance, -T_local_from.theta)};
+  raw_scale_.note({motion, covariance}, seen);
+  scale_.note({calibration_.corrected(motion), covariance}, seen);
+  calibration_.note({motion, scale_.value() * covariance}, seen);
 }
 
 }  // namespace omega_slam::slam
