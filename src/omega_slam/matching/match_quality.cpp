@@ -46,6 +46,11 @@ Eigen::Matrix3d covarianceOf(const MatchEvidence& evidence, double deviation) {
 
 void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
                         const Eigen::Vector2d& arm, const Eigen::Vector2d& facing) {
+  addDistance(surface, gap);
+  hessian += certainInformation(surface, arm, facing);
+}
+
+void MatchEvidence::addDistance(const Surface& surface, const Eigen::Vector2d& gap) {
   ++partners;
   if (surface.isLine()) {
     // Along a wall the spacing of its points is no error.
@@ -54,7 +59,22 @@ void MatchEvidence::add(const Surface& surface, const Eigen::Vector2d& gap,
   } else {
     squared_residuals += gap.squaredNorm();
   }
-  hessian += certainInformation(surface, arm, facing);
+}
+
+double MatchEvidence::overlap() const {
+  return static_cast<double>(partners) / static_cast<double>(points);
+}
+
+double MatchEvidence::residual() const {
+  return std::sqrt(squared_residuals / static_cast<double>(partners));
+}
+
+double MatchEvidence::confidence(const MatchConfig& config) const {
+  if (partners == 0) {
+    return 0.0;
+  }
+  const double misfit = residual() / config.outlier_distance;
+  return std::clamp(overlap() * (1.0 - misfit * misfit), 0.0, 1.0);
 }
 
 void nameOpenDirection(MatchResult& result) {
@@ -74,11 +94,9 @@ MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_referenc
     result.failure = MatchFailure::kNoOverlap;
     return result;
   }
-  const auto partners = static_cast<double>(evidence.partners);
-  result.overlap = partners / static_cast<double>(evidence.points);
-  result.residual = std::sqrt(evidence.squared_residuals / partners);
-  const double misfit = result.residual / config.outlier_distance;
-  result.confidence = std::clamp(result.overlap * (1.0 - misfit * misfit), 0.0, 1.0);
+  result.overlap = evidence.overlap();
+  result.residual = evidence.residual();
+  result.confidence = evidence.confidence(config);
   result.covariance = covarianceOf(evidence, std::max(config.range_noise, result.residual));
   nameOpenDirection(result);
   return result;
@@ -87,20 +105,27 @@ MatchResult judgeEvidence(const MatchEvidence& evidence, const Pose2& T_referenc
 MatchResult judgeMatch(SurfaceModel& reference, const View& scan, const Pose2& T_reference_scan,
                        const MatchConfig& config) {
   const Eigen::Matrix2d rotation = T_reference_scan.rotation();
-  const Eigen::Vector2d eye = T_reference_scan * scan.origin;
   const std::vector<SurfacePatch> patches = tracePatches(scan);
   MatchEvidence evidence;
   evidence.points = scan.points.size();
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Eigen::Vector2d arm = rotation * scan.points[i];
-    const Eigen::Vector2d p_reference = arm + T_reference_scan.translation();
-    const auto* partner = reference.partnerOf(i, p_reference, config.outlier_distance);
-    if (partner != nullptr && partner->isSeenFrom(eye)) {
-      evidence.add(partner->surface, p_reference - partner->point, arm,
-                   rotation * patches[i].surface.normal);
-    }
-  }
+  reference.forEachPartner({scan}, T_reference_scan, config.outlier_distance,
+                           [&](std::size_t point, const SurfaceModel::Partner& partner,
+                               const Eigen::Vector2d& gap, const Eigen::Vector2d& arm) {
+                             evidence.add(partner.surface, gap, arm,
+                                          rotation * patches[point].surface.normal);
+                           });
   return judgeEvidence(evidence, T_reference_scan, config);
+}
+
+double confidenceAt(SurfaceModel& reference, const SomePoints& scan, const Pose2& T_reference_scan,
+                    const MatchConfig& config) {
+  MatchEvidence evidence;
+  evidence.points = scan.size();
+  reference.forEachPartner(
+      scan, T_reference_scan, config.outlier_distance,
+      [&](std::size_t /*point*/, const SurfaceModel::Partner& partner, const Eigen::Vector2d& gap,
+          const Eigen::Vector2d& /*arm*/) { evidence.addDistance(partner.surface, gap); });
+  return evidence.confidence(config);
 }
 
 }  // namespace omega_slam::matching

@@ -27,6 +27,13 @@ struct MatchEvidence {
   /// @param facing normal of the surface that the point is on; zero where it is not known
   void add(const Surface& surface, const Eigen::Vector2d& gap, const Eigen::Vector2d& arm,
            const Eigen::Vector2d& facing = Eigen::Vector2d::Zero());
+  /// The same without what it says of the pose.
+  void addDistance(const Surface& surface, const Eigen::Vector2d& gap);
+
+  [[nodiscard]] double overlap() const;   ///< [0, 1]; there must be points
+  [[nodiscard]] double residual() const;  ///< [m]; there must be partners
+  /// [0, 1] overlap * (1 - (residual / outlier_distance)^2); without partners none.
+  [[nodiscard]] double confidence(const MatchConfig& config) const;
 };
 
 /// Overlap, residual, confidence and covariance from what the points say: see judgeMatch.
@@ -53,12 +60,17 @@ void nameOpenDirection(MatchResult& result);
 /// A direction of (x, y, theta * 1 m) that is known no better than kOpenDeviation is open; of
 /// several, the one known least is named.
 ///
-/// Confidence is overlap * (1 - (residual / outlier_distance)^2).
+/// Confidence is MatchEvidence::confidence.
 ///
 /// Fills every field of the result but `converged`; sets `failure` to kNoOverlap or kDegenerate,
 /// and names the open direction, where that holds.
 [[nodiscard]] MatchResult judgeMatch(SurfaceModel& reference, const View& scan,
                                      const geometry::Pose2& T_reference_scan,
                                      const MatchConfig& config);
+
+/// The confidence alone, by some of the points.
+[[nodiscard]] double confidenceAt(SurfaceModel& reference, const SomePoints& scan,
+                                  const geometry::Pose2& T_reference_scan,
+                                  const MatchConfig& config);
 
 }  // namespace omega_slam::matching

@@ -43,18 +43,11 @@ void PointToLineEquations::add(const Surface& surface, const Eigen::Vector2d& ga
 
 PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,
                                const Pose2& T_reference_scan, const DistanceKernel& kernel) {
-  const Eigen::Matrix2d rotation = T_reference_scan.rotation();
-  const Eigen::Vector2d translation = T_reference_scan.translation();
-  const Eigen::Vector2d eye = T_reference_scan * scan.view.origin;
   PointToLineEquations equations;
-  for (std::size_t i = 0; i < scan.view.points.size(); i += scan.stride) {
-    const Eigen::Vector2d arm = rotation * scan.view.points[i];
-    const Eigen::Vector2d p_reference = arm + translation;
-    const auto* partner = reference.partnerOf(i, p_reference, kernel.reach);
-    if (partner != nullptr && partner->isSeenFrom(eye)) {
-      equations.add(partner->surface, p_reference - partner->point, arm, kernel);
-    }
-  }
+  reference.forEachPartner(
+      scan, T_reference_scan, kernel.reach,
+      [&](std::size_t /*point*/, const SurfaceModel::Partner& partner, const Eigen::Vector2d& gap,
+          const Eigen::Vector2d& arm) { equations.add(partner.surface, gap, arm, kernel); });
   return equations;
 }
 

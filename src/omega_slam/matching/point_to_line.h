@@ -39,19 +39,6 @@ struct PointToLineEquations {
            const DistanceKernel& kernel);
 };
 
-/// Every `stride`-th of a scan's points, by the numbers that they have among all: what a
-/// SurfaceModel has found for them still helps when all are asked for.
-struct SomePoints {
-  const View& view;
-  std::size_t stride{1};
-};
-
-/// Enough where a few hundred more of the same walls say the same.
-/// @param most > 0
-[[nodiscard]] inline SomePoints someOf(const View& view, std::size_t most) {
-  return {view, (view.points.size() + most - 1) / most};
-}
-
 /// The equations of those points that have a partner within reach, whose side the scan could see.
 /// O(points).
 [[nodiscard]] PointToLineEquations linearize(SurfaceModel& reference, const SomePoints& scan,

@@ -19,8 +19,9 @@ struct PointToLineMatcherConfig {
 ///
 /// At first partners may lie as far away as the guess may be off. With each step that reach
 /// shrinks, down to the common outlier distance, and with it the distance at which a partner counts
-/// half. A hundred points of the scan show the way; the last steps take all. Directions that the
-/// points do not determine stay at the guess.
+/// half. A hundred points of the scan show the way; the last steps take all, unless the few fit so
+/// badly that the caller would have no use for the match. Directions that the points do not
+/// determine stay at the guess.
 ///
 /// Deviations from the paper: neighbours are found in a grid instead of by the sweep's order, so
 /// that the reference may be any number of views; a line is fitted to the points within 0.3 m
@@ -31,15 +32,18 @@ struct PointToLineMatcherConfig {
 /// convergence the failure is kNotConverged, unless there is a worse one.
 class PointToLineMatcher : public ScanMatcher {
  public:
+  /// @param least_confidence [0, 1] below which the caller has no use for a match: what will
+  /// clearly not come to it is given up early, which is a refusal for kNotConverged
   /// @throws std::invalid_argument
   explicit PointToLineMatcher(const PointToLineMatcherConfig& config = {},
-                              const MatchConfig& common = {});
+                              const MatchConfig& common = {}, double least_confidence = 0.0);
   [[nodiscard]] MatchResult match(const Reference& reference, const View& scan,
                                   const geometry::Pose2& guess) const override;
 
  private:
   PointToLineMatcherConfig config_;
   MatchConfig common_;
+  double least_confidence_;
 };
 
 }  // namespace omega_slam::matching

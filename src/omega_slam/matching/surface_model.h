@@ -87,6 +87,21 @@ struct Surface {
 /// @param scatter [m^2] sum of d d^T for the points' offsets d from their mean
 [[nodiscard]] Surface fitSurface(const Eigen::Matrix2d& scatter, std::size_t count);
 
+/// Every `stride`-th of a scan's points, by the numbers that they have among all: what a
+/// SurfaceModel has found for them still helps when all are asked for.
+struct SomePoints {
+  const View& view;
+  std::size_t stride{1};
+
+  [[nodiscard]] std::size_t size() const { return (view.points.size() + stride - 1) / stride; }
+};
+
+/// Enough where a few hundred more of the same walls say the same.
+/// @param most > 0
+[[nodiscard]] inline SomePoints someOf(const View& view, std::size_t most) {
+  return {view, (view.points.size() + most - 1) / most};
+}
+
 /// The points of a reference as the surfaces that they were measured on: for each point the line
 /// through its neighbours in the sweep within 0.3 m. Where that is too few, as far away or among
 /// points without order, the line through all points within 0.3 m, or through the two neighbours
@@ -122,6 +137,13 @@ class SurfaceModel {
   [[nodiscard]] const Partner* partnerOf(std::size_t point, const Eigen::Vector2d& p_reference,
                                          double reach);
 
+  /// Calls `visit(i, partner, gap, arm)` for the points of a scan, laid on the reference, that have
+  /// a partner within reach [m], whose side the scan could see. `gap` [m] leads from the partner to
+  /// point `i`, `arm` [m] from the scan's origin to it; both are in the reference's axes.
+  template <class Visitor>
+  void forEachPartner(const SomePoints& scan, const geometry::Pose2& T_reference_scan, double reach,
+                      const Visitor& visit);
+
  private:
   /// What was found for a point of a scan.
   struct Finding {
@@ -153,5 +175,21 @@ class SurfaceModel {
   std::vector<std::optional<Partner>> partners_;
   std::vector<PointIndex::Neighbour> neighbours_;  // kept, so as not to allocate for each point
 };
+
+template <class Visitor>
+void SurfaceModel::forEachPartner(const SomePoints& scan, const geometry::Pose2& T_reference_scan,
+                                  double reach, const Visitor& visit) {
+  const Eigen::Matrix2d rotation = T_reference_scan.rotation();
+  const Eigen::Vector2d translation = T_reference_scan.translation();
+  const Eigen::Vector2d eye = T_reference_scan * scan.view.origin;
+  for (std::size_t i = 0; i < scan.view.points.size(); i += scan.stride) {
+    const Eigen::Vector2d arm = rotation * scan.view.points[i];
+    const Eigen::Vector2d p_reference = arm + translation;
+    const Partner* const partner = partnerOf(i, p_reference, reach);
+    if (partner != nullptr && partner->isSeenFrom(eye)) {
+      visit(i, *partner, p_reference - partner->point, arm);
+    }
+  }
+}
 
 }  // namespace omega_slam::matching

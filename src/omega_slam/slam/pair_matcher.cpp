@@ -37,7 +37,8 @@ bool isUsable(const matching::MatchResult& match) {
 
 }  // namespace
 
-PairMatcher::PairMatcher(const matching::MatchConfig& config) : matcher_(fromNearby(), config) {}
+PairMatcher::PairMatcher(const matching::MatchConfig& config)
+    : matcher_(fromNearby(), config, kLeastConfidence) {}
 
 std::optional<graph::Constraint> PairMatcher::match(const Keyframe& from, const Keyframe& to,
                                                     const Belief& tracked) const {

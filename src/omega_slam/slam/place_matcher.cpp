@@ -58,7 +58,8 @@ std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
   MatchResult found;
   bool is_ambiguous = false;
   if (window.translation <= kNarrow) {
-    found = matching::PointToLineMatcher({}, config_.match).match(place, scan, guess);
+    const matching::PointToLineMatcher matcher({}, config_.match, config_.min_confidence);
+    found = matcher.match(place, scan, guess);
     found.covariance *= kDoubt;
   } else {
     const matching::CorrelativeMatcher search(searchIn(window), config_.match);

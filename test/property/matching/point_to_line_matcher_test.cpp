@@ -49,6 +49,38 @@ TEST(PointToLineMatcherLaws, RecoversDisplacementsOfAScan) {
   }
 }
 
+/// What is given up is refused; the rest ends as it would have without.
+TEST(PointToLineMatcherLaws, GivesUpEarlyWhatTheCallerHasNoUseFor) {
+  constexpr double kLeast = 0.7;
+  const PointToLineMatcher patient;
+  const PointToLineMatcher hasty({}, {}, kLeast);
+  for (const auto seed : test::seeds()) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    int given_up = 0;
+    for (int i = 0; i < 20; ++i) {
+      const Pose2 first = test::randomPose(0.8, 3.1, random);
+      const Pose2 truth = test::randomPose(0.2, 0.3, random);
+      const View reference = look(test::furnishedRoom(), first, 360, 0.01, random);
+      const View scan = look(test::furnishedRoom(), first * truth, 360, 0.01, random);
+      const bool is_right = i % 2 == 0;
+      const Pose2 guess = is_right ? spoil(truth, random) : test::randomPose(2.0, 3.1, random);
+      const MatchResult in_full = patient.match({reference}, scan, guess);
+      const MatchResult result = hasty.match({reference}, scan, guess);
+      if (result.failure == MatchFailure::kNotConverged) {
+        EXPECT_FALSE(is_right) << i;
+        EXPECT_EQ(result.confidence, 0.0) << i;
+        EXPECT_EQ(result.T_reference_scan.vector(), guess.vector()) << i;
+        ++given_up;
+      } else {
+        EXPECT_EQ(result.confidence, in_full.confidence) << i;
+        EXPECT_EQ(result.T_reference_scan.vector(), in_full.T_reference_scan.vector()) << i;
+      }
+    }
+    EXPECT_GT(given_up, 5);
+  }
+}
+
 /// Of 1000 matches with other seeds all were within these bounds.
 TEST(PointToLineMatcherLaws, MatchesNoisyScansFromTwoPlaces) {
   const PointToLineMatcher matcher;
