@@ -119,11 +119,11 @@ class FrontierExplorerNode {
   }
 
   void onPoseGraph(const PoseGraph::ConstPtr& message) {
-    auto graph = poseGraphFromRos(*message);
-    if (graph.value) {
-      news_.setPoses(message->run, std::move(graph.value->poses));
+    auto poses = posesFromRos(*message);
+    if (poses.value) {
+      news_.setPoses(message->run, std::move(*poses.value));
     } else {
-      diagnostics_.reject(graph.fault);
+      diagnostics_.reject(poses.fault);
     }
   }
 

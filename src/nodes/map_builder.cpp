@@ -88,13 +88,13 @@ class MapBuilderNode {
   }
 
   void onPoseGraph(const PoseGraph::ConstPtr& message) {
-    auto graph = poseGraphFromRos(*message);
-    if (!graph.value) {
-      diagnostics_.reject(graph.fault);
+    auto poses = posesFromRos(*message);
+    if (!poses.value) {
+      diagnostics_.reject(poses.fault);
       return;
     }
     const std::lock_guard<std::mutex> lock(mutex_);
-    store_.setPoses(message->run, std::move(graph.value->poses));
+    store_.setPoses(message->run, std::move(*poses.value));
     show();
   }
 

@@ -105,11 +105,10 @@ class NavigatorNode {
 
   /// What was touched moves with the map; another run has another map.
   void onPoseGraph(const PoseGraph::ConstPtr& message) {
-    auto graph = poseGraphFromRos(*message);
-    if (!graph.value) {
-      diagnostics_.reject(graph.fault);
-    } else if (const auto motion =
-                   graph_motion_.take(message->run, std::move(graph.value->poses))) {
+    auto poses = posesFromRos(*message);
+    if (!poses.value) {
+      diagnostics_.reject(poses.fault);
+    } else if (const auto motion = graph_motion_.take(message->run, std::move(*poses.value))) {
       navigator_.moveMap(*motion);
     } else {
       navigator_.forgetObstacles();

@@ -162,6 +162,23 @@ TEST(SlamConversions, FaultyPoseGraphsAreRefusedWithTheReason) {
   EXPECT_NE(faultAfter([](PoseGraph& m) { m.constraints[0].to_id = 2; }), "");
 }
 
+TEST(SlamConversions, WhoAsksForPosesAloneIsNotConcernedByConstraints) {
+  graph::PoseGraph graph;
+  graph.poses = {{0.0, 0.0, 0.0}, {1.0, 0.5, 0.25}};
+  graph.constraints = {graph::Constraint{}};
+  PoseGraph message = poseGraphToRos(graph, {ros::Time(1), ros::Time(2)});
+  message.constraints[0].kind = 9;
+  const auto read = posesFromRos(message);
+  ASSERT_TRUE(read.value) << read.fault;
+  ASSERT_EQ(read.value->size(), 2U);
+  EXPECT_EQ(read.value->at(1).vector(), graph.poses[1].vector());
+  message.poses[1].y = kNan;
+  EXPECT_NE(posesFromRos(message).fault, "");
+  message.poses[1].y = 0.5;
+  message.stamps.pop_back();
+  EXPECT_NE(posesFromRos(message).fault, "");
+}
+
 TEST(SlamConversions, RetiredKeyframesAreHeld) {
   graph::PoseGraph graph;
   graph.poses.resize(4);

@@ -172,18 +172,29 @@ Reading<slam::ScanTrack> trackingFromRos(const Tracking& tracking) {
           {}};
 }
 
-Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
+Reading<std::vector<geometry::Pose2>> posesFromRos(const PoseGraph& graph) {
   if (graph.stamps.size() != graph.poses.size()) {
     return {std::nullopt, "pose graph has not as many stamps as poses"};
   }
-  graph::PoseGraph read;
+  std::vector<geometry::Pose2> poses;
+  poses.reserve(graph.poses.size());
   for (const omega_slam::Pose2& message : graph.poses) {
     const auto pose = poseFromRos(message);
     if (!pose) {
       return {std::nullopt, "pose graph has numbers that are not finite"};
     }
-    read.poses.push_back(*pose);
+    poses.push_back(*pose);
   }
+  return {std::move(poses), {}};
+}
+
+Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph) {
+  auto poses = posesFromRos(graph);
+  if (!poses.value) {
+    return {std::nullopt, std::move(poses.fault)};
+  }
+  graph::PoseGraph read;
+  read.poses = std::move(*poses.value);
   auto constraints = constraintsWithin(graph, graph.constraints);
   if (!constraints.value) {
     return {std::nullopt, std::move(constraints.fault)};

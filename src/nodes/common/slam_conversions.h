@@ -51,8 +51,12 @@ struct Reading {
 /// not between keyframes that it has.
 [[nodiscard]] Reading<slam::BeliefAccount> beliefsFromRos(const PoseGraph& graph);
 
-/// Faults: as many stamps as poses there must be, poses finite, constraints sound and between nodes
-/// that exist, and retired keyframes not the first one. These are held in the graph, beside node 0.
+/// `T_map_base` of the keyframes, by id, for those whom the constraints do not concern. Faults: as
+/// many stamps as poses there must be, and poses finite.
+[[nodiscard]] Reading<std::vector<geometry::Pose2>> posesFromRos(const PoseGraph& graph);
+
+/// Faults: those of posesFromRos; constraints must be sound and between nodes that exist, and
+/// retired keyframes not the first one. These are held in the graph, beside node 0.
 [[nodiscard]] Reading<graph::PoseGraph> poseGraphFromRos(const PoseGraph& graph);
 
 /// Where the front end has tracked a scan. @param header the scan's own stamp; the base frame
