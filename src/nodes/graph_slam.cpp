@@ -7,6 +7,7 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <string>
@@ -28,9 +29,12 @@ namespace {
 /// [s] A clock that goes back by less is one that wavers.
 constexpr double kTimeJump = 1.0;
 
-/// Looks at simulated time for each transform: up to so many times as fast as the wall's it may
-/// run. (A ros::Timer looks a thousand times a second, which is most of what this node would cost.)
-constexpr double kSimulatedTicks = 5.0;
+/// Looks at simulated time for each transform, as fast as time is seen to run; and how many of them
+/// there may be in the wall's time for one, so that it may run five times as fast. (A ros::Timer
+/// looks a thousand times a second, which is most of what this node would cost.)
+constexpr double kTicks = 2.0;
+constexpr double kMostTicks = 5.0;
+constexpr double kPaceTime = 1.0;  // [s] of the wall's time, over which the speed is measured
 
 /// Keyframes and constraints in; the solved graph, the trajectory and map -> odom out. The graph
 /// lives in a GraphWorker; callbacks only convert and hand over, so that a long solve delays none.
@@ -56,9 +60,9 @@ class GraphSlamNode {
         private_nh.advertiseService(names::kSaveGraphService, &GraphSlamNode::onSave, this);
     reset_service_ =
         private_nh.advertiseService(names::kResetService, &GraphSlamNode::onReset, this);
-    const double ticks = config_.transform_rate * (ros::Time::isSimTime() ? kSimulatedTicks : 1.0);
     transform_timer_ =
-        nh.createWallTimer(ros::WallDuration(1.0 / ticks), &GraphSlamNode::publishTransform, this);
+        nh.createWallTimer(transformPeriod(ros::Time::isSimTime() ? kMostTicks : 1.0),
+                           &GraphSlamNode::publishTransform, this);
   }
 
   void shutdown() { worker_.stop(); }
@@ -98,9 +102,30 @@ class GraphSlamNode {
     graph_publisher_.publish(message);
   }
 
+  /// @param ticks for a transform
+  [[nodiscard]] ros::WallDuration transformPeriod(double ticks) const {
+    return ros::WallDuration(1.0 / (ticks * config_.transform_rate));
+  }
+
+  /// Ticks with simulated time, which may run faster than the wall's.
+  void keepPace(const ros::Time& now) {
+    const ros::SteadyTime wall = ros::SteadyTime::now();
+    const double elapsed = (wall - paced_wall_).toSec();
+    if (elapsed < kPaceTime) {
+      return;
+    }
+    const double speed = (now - paced_now_).toSec() / elapsed;
+    transform_timer_.setPeriod(transformPeriod(std::clamp(kTicks * speed, kTicks, kMostTicks)));
+    paced_wall_ = wall;
+    paced_now_ = now;
+  }
+
   void publishTransform(const ros::WallTimerEvent&) {
     const std::lock_guard<std::mutex> lock(transform_mutex_);
     const ros::Time now = ros::Time::now();
+    if (ros::Time::isSimTime()) {
+      keepPace(now);
+    }
     const auto snapshot = worker_.snapshot();
     if (now.toSec() < last_now_.toSec() - kTimeJump) {
       ROS_INFO_STREAM("Time jumped back to " << now << ": map -> odom waits for a new run.");
@@ -166,7 +191,9 @@ class GraphSlamNode {
   ros::Publisher graph_publisher_;
   GraphPictures pictures_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  std::mutex transform_mutex_;  ///< guards the next three
+  std::mutex transform_mutex_;  ///< guards the next five
+  ros::SteadyTime paced_wall_;  ///< when the pace was set last,
+  ros::Time paced_now_;         ///< and what simulated time it was
   ros::Time last_now_;
   ros::Time last_stamp_;        ///< of map -> odom
   std::uint64_t ended_run_{0};  ///< by the clock; 0: none

@@ -34,7 +34,9 @@ namespace omega_slam {
 namespace {
 
 constexpr std::size_t kWaitingScans = 100;  // ten seconds of a Hokuyo
-constexpr double kServiceRate = 20.0;  // [Hz] of wall time, at which waiting scans are looked at
+/// [Hz] of wall time, at which scans are looked at that wait for what no message here announces:
+/// the laser's pose, and the end of their patience.
+constexpr double kServiceRate = 5.0;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// Scans and odometry in, keyframes and constraints out. Callbacks run in one thread, which owns
