@@ -37,6 +37,8 @@ constexpr std::size_t kWaitingScans = 100;  // ten seconds of a Hokuyo
 /// [Hz] of wall time, at which scans are looked at that wait for what no message here announces:
 /// the laser's pose, and the end of their patience.
 constexpr double kServiceRate = 5.0;
+/// A thread of tf's own would wake a hundred times a second.
+constexpr bool kOwnThread = false;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// Scans and odometry in, keyframes and constraints out. Callbacks run in one thread, which owns
@@ -51,7 +53,7 @@ class ScanMatcherNode {
         intake_(config_.intake),
         front_end_(config_.front_end),
         queue_(config_.odometry_wait, kWaitingScans),
-        tf_listener_(tf_buffer_),
+        tf_listener_(tf_buffer_, nh, kOwnThread),
         diagnostics_(nh, "scan_matcher"),
         publisher_(nh),
         tracking_publisher_(nh.advertise<Tracking>(names::kTracking, names::kOdometryQueue)),
