@@ -24,10 +24,14 @@ def codeLines(lines):
 
 def firstLineOfHead(lines, number):
     """Where the definition begins whose "{" ends line `number`: arguments and initialisers wrap."""
-    while number > 0 and (lines[number].count(')') > lines[number].count('(') or
-                          lines[number].lstrip().startswith(':') or
+    def unopened(line):
+        return line.count(')') - line.count('(')
+
+    balance = unopened(lines[number])
+    while number > 0 and (balance > 0 or lines[number].lstrip().startswith(':') or
                           lines[number - 1].endswith(',')):
         number -= 1
+        balance += unopened(lines[number])
     return number
 
 
@@ -73,6 +77,8 @@ CASES = [
     Case({'src/a.cpp': functionOf(FUNCTION_LIMIT + 1)}, ('41 lines of code in int f(int a)',)),
     Case({'src/a.cpp': functionOf(FUNCTION_LIMIT + 1, 'int A::f(int a,\n         int b) const {')},
          ('41 lines of code in int A::f(int a,',)),
+    Case({'src/a.cpp': functionOf(FUNCTION_LIMIT, 'int aLongName(\n    int a, int b) {') +
+          functionOf(FUNCTION_LIMIT)}),
     Case({'src/a.cpp': functionOf(FUNCTION_LIMIT + 1, 'A::A(int a) : a_(a) {')}, ('41 lines',)),
     Case({'src/a.cpp': functionOf(FUNCTION_LIMIT + 1, 'A::A(int a)\n    : a_(a),\n      b_(a) {')},
          ('41 lines of code in A::A(int a)',)),
