@@ -2,6 +2,7 @@
 """scan_matcher: keyframes and constraints from scans; faulty scans refused; runs that begin anew."""
 import math
 import pathlib
+import re
 import sys
 
 import rospy
@@ -14,7 +15,7 @@ from std_msgs.msg import Bool
 from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from node_test_support import NodeTest  # noqa: E402  (it lies beside this file)
+from node_test_support import NodeTest, waitUntil  # noqa: E402  (it lies beside this file)
 import synthetic  # noqa: E402
 from synthetic import Pose, chain, poseGraph, roomScan, scan, stamp  # noqa: E402
 
@@ -101,6 +102,19 @@ class ScanMatcherTest(NodeTest):
             self.checkConstraints(array.constraints, number)
         self.waitForDiagnostic('scan_matcher: input', 'accepted', 4)
         self.assertEqual(self.node.stop(), 0)
+
+    def testWhatIsAlwaysWrongWithTheOdometryIsSaid(self):
+        self.start()
+        self.mountLaser()
+        self.drive(1)
+        self.waitForDiagnostic('scan_matcher: health', 'faults of the odometry', 'none')
+        for number in range(1, 12):
+            self.goTo(number)
+            self.keyframe(number, number)
+
+        def said():
+            return self.diagnosticValues('scan_matcher: health').get('faults of the odometry', '')
+        waitUntil(lambda: re.match(r'ways are \d+\.\d % shorter', said()), said)
 
     def checkConstraints(self, constraints, number):
         """From keyframe `number` and the one before it to the next; a match is nearer to the truth by far."""

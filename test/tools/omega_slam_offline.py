@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -78,6 +79,16 @@ class OfflineTest(unittest.TestCase):
         half = round(math.pi / 0.05)
         driven = math.dist(*[[float(rows[k][1]), float(rows[k][2])] for k in (0, half)])
         self.assertAlmostEqual(driven, 2.0, delta=0.02)
+
+    def testSaysWhatIsAlwaysWrongWithTheOdometry(self):
+        result = self.run_(self.write('room.clf', roomLog(320)))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads((self.folder / 'results/report.json').read_text())
+        said = [note for note in report['notes'] if note.startswith('The odometry is wrong throughout')]
+        self.assertEqual(len(said), 1, report['notes'])
+        share = re.search(r'ways are (\d\.\d) % shorter', said[0])
+        self.assertIsNotNone(share, said[0])
+        self.assertAlmostEqual(float(share[1]), 100.0 * (1.0 - 1.0 / SLIP), delta=1.0)
 
     def testSameLogSameBytes(self):
         """However many threads the libraries may have, and wherever the user lives."""
