@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <thread>
 
@@ -70,6 +71,29 @@ TEST_F(MapWorkerTest, OfARunThatIsOverNoMapIsServed) {
   shower.join();
   EXPECT_FALSE(worker_.newest());
   EXPECT_FALSE(worker_.complete(kPatience));
+}
+
+TEST_F(MapWorkerTest, SimulatedTimeThatRunsFastBringsTheTurnSooner) {
+  constexpr double kInterval = 3600.0;
+  constexpr double kStart = 100.0;  // [s]
+  ros::Time::setNow(ros::Time(kStart));
+  std::atomic<std::size_t> keyframes{0};
+  MapWorker worker({}, kInterval, diagnostics_,
+                   [&](const DrawnMapPtr& map) { keyframes = map->keyframes; });
+  const auto waitFor = [&](std::size_t count) {
+    for (int look = 0; look < 1000 && keyframes != count; ++look) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return keyframes == count;
+  };
+  worker.show({placed(0)});
+  EXPECT_TRUE(waitFor(1));
+  worker.show({placed(0), placed(1)});
+  ros::Time::setNow(ros::Time(kStart + 0.9 * kInterval));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(keyframes, 1U) << "its turn has not come";
+  ros::Time::setNow(ros::Time(kStart + 1.1 * kInterval));
+  EXPECT_TRUE(waitFor(2));
 }
 
 TEST_F(MapWorkerTest, TheStopEndsAllWaiting) {

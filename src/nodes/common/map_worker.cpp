@@ -1,5 +1,7 @@
 #include "nodes/common/map_worker.h"
 
+#include <ros/time.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -10,8 +12,7 @@ namespace omega_slam {
 
 MapWorker::MapWorker(const mapping::OccupancyMapperConfig& config, double interval,
                      Diagnostics& diagnostics, Drawn drawn)
-    : interval_(
-          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(interval))),
+    : interval_(interval),
       diagnostics_(diagnostics),
       drawn_(std::move(drawn)),
       mapper_(config),
@@ -80,15 +81,30 @@ void MapWorker::work() {
 bool MapWorker::take(std::vector<mapping::PlacedSweep>& keyframes, std::uint64_t& version) {
   std::unique_lock<std::mutex> lock(mutex_);
   wake_.wait(lock, [this] { return is_stopped_ || version_ != drawn_version_; });
-  wake_.wait_until(lock, next_turn_, [this] { return is_stopped_ || is_urgent_; });
+  waitForTurn(lock);
   is_urgent_ = false;
   keyframes = keyframes_;
   version = version_;
   if (!keyframes
            .empty()) {  // an empty map is not published, and must not hold up the first real one
-    next_turn_ = Clock::now() + interval_;
+    next_turn_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                    std::chrono::duration<double>(interval_));
+    next_simulated_turn_ = ros::Time::now().toSec() + interval_;
   }
   return !is_stopped_;
+}
+
+/// Simulated time may run fast or stand still: the turn comes by whichever clock has it first.
+void MapWorker::waitForTurn(std::unique_lock<std::mutex>& lock) {
+  constexpr std::chrono::milliseconds kLook(100);
+  const auto isDue = [this] {
+    return is_stopped_ || is_urgent_ || Clock::now() >= next_turn_ ||
+           (ros::Time::isSimTime() && ros::Time::now().toSec() >= next_simulated_turn_);
+  };
+  while (!isDue()) {
+    const auto look = ros::Time::isSimTime() ? Clock::now() + kLook : next_turn_;
+    wake_.wait_until(lock, std::min(look, next_turn_));
+  }
 }
 
 DrawnMapPtr MapWorker::draw(const std::vector<mapping::PlacedSweep>& keyframes) {

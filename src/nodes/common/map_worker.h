@@ -32,7 +32,8 @@ class MapWorker {
   /// Told of every new map, in the worker's thread.
   using Drawn = std::function<void(const DrawnMapPtr&)>;
 
-  /// @param interval [s] between the begins of two drawings, at least
+  /// @param interval [s] between the begins of two drawings, at least; of simulated time where it
+  /// runs faster than the wall's
   /// @param diagnostics must outlive the worker
   /// @throws std::invalid_argument if the configuration is not valid
   MapWorker(const mapping::OccupancyMapperConfig& config, double interval, Diagnostics& diagnostics,
@@ -58,15 +59,17 @@ class MapWorker {
   void work();
   /// Waits for keyframes and for their turn. @return whether to go on
   bool take(std::vector<mapping::PlacedSweep>& keyframes, std::uint64_t& version);
+  void waitForTurn(std::unique_lock<std::mutex>& lock);
   /// @return the map; null if there is nothing on it
   [[nodiscard]] DrawnMapPtr draw(const std::vector<mapping::PlacedSweep>& keyframes);
 
-  Clock::duration interval_;
+  const double interval_;  ///< [s]
   Diagnostics& diagnostics_;
   Drawn drawn_;
   // Of the thread alone.
   mapping::OccupancyMapper mapper_;
   Clock::time_point next_turn_{};
+  double next_simulated_turn_{0.0};  ///< [s]
   // Shared.
   mutable std::mutex mutex_;
   std::condition_variable wake_;      ///< the thread
