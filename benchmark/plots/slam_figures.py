@@ -3,7 +3,7 @@ from figures import legendBelow, pyplot, save
 from slam_tables import GOOD_ERROR
 
 COLOURS = {'lab': '#0072B2', 'office': '#009E73', 'maze': '#E69F00', 'corridor': '#CC79A7'}
-MARKERS = {'urg': 'o', 'sick': 's', 'rplidar': '^', 'utm': 'D'}
+MARKERS = {'urg': 'o', 'sick': 's', 'rplidar': '^', 'lds': 'v', 'kinect': '<', 'utm': 'D'}
 
 
 def drawSimulation(results, path):

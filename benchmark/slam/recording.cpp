@@ -47,6 +47,28 @@ HokuyoConfig rplidar() {
   return laser;
 }
 
+/// The LDS-01 of a TurtleBot3, from its data sheet.
+HokuyoConfig lds() {
+  HokuyoConfig laser = fan(360, 1.0, 5.0, 3.5);
+  laser.range_min = 0.12;
+  laser.dark_range = 2.0;
+  laser.near_accuracy = 0.015;
+  laser.near_limit = 0.5;
+  laser.far_accuracy = 0.05;
+  return laser;
+}
+
+/// The line of a depth camera's picture that stands in for a laser where there is none.
+HokuyoConfig kinect() {
+  HokuyoConfig laser = fan(640, 57.0 / 640.0, 10.0, 5.0);
+  laser.range_min = 0.45;
+  laser.dark_range = 4.0;
+  laser.near_accuracy = 0.01;
+  laser.far_accuracy = 0.02;
+  laser.no_return_is_inf = false;
+  return laser;
+}
+
 HokuyoConfig utm() {
   HokuyoConfig laser = fan(1081, 0.25, 40.0, 30.0);
   laser.range_min = 0.1;
@@ -58,7 +80,12 @@ HokuyoConfig utm() {
 
 const std::map<std::string, std::function<HokuyoConfig()>>& lasers() {
   static const std::map<std::string, std::function<HokuyoConfig()>> lasers{
-      {"urg", [] { return HokuyoConfig{}; }}, {"sick", sick}, {"rplidar", rplidar}, {"utm", utm}};
+      {"urg", [] { return HokuyoConfig{}; }},
+      {"sick", sick},
+      {"rplidar", rplidar},
+      {"lds", lds},
+      {"kinect", kinect},
+      {"utm", utm}};
   return lasers;
 }
 

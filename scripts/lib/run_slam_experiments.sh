@@ -178,7 +178,7 @@ run_slam_experiments() {
       simulation-true) queue_drives 2 1,4 lab && queue_lasers 1 90 rplidar utm ;;
       simulation-false)
         queue_drives 10 1,2,4 lab office maze corridor
-        queue_lasers 3 300 sick rplidar utm
+        queue_lasers 3 300 sick rplidar lds kinect utm
         ;;
       hostile-*) queue_hostile ;;
     esac
