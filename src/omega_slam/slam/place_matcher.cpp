@@ -4,7 +4,6 @@
 
 #include "omega_slam/geometry/validation.h"
 #include "omega_slam/matching/correlative_matcher.h"
-#include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/matching/sight_check.h"
 
 namespace omega_slam::slam {
@@ -48,9 +47,9 @@ std::vector<std::string> PlaceMatcherConfig::validate() const {
 
 bool isWide(const SearchWindow& window) { return window.translation > kWide; }
 
-PlaceMatcher::PlaceMatcher(const PlaceMatcherConfig& config) : config_(config) {
-  geometry::throwIfAny(config_.validate());
-}
+PlaceMatcher::PlaceMatcher(const PlaceMatcherConfig& config)
+    : config_((geometry::throwIfAny(config.validate()), config)),
+      nearby_({}, config_.match, config_.min_confidence) {}
 
 std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
                                                const matching::View& scan, const Pose2& guess,
@@ -58,8 +57,7 @@ std::optional<MatchResult> PlaceMatcher::match(const matching::Reference& place,
   MatchResult found;
   bool is_ambiguous = false;
   if (window.translation <= kNarrow) {
-    const matching::PointToLineMatcher matcher({}, config_.match, config_.min_confidence);
-    found = matcher.match(place, scan, guess);
+    found = nearby_.match(place, scan, guess);
     found.covariance *= kDoubt;
   } else {
     const matching::CorrelativeMatcher search(searchIn(window), config_.match);

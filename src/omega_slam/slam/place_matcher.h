@@ -6,6 +6,7 @@
 
 #include "omega_slam/geometry/pose2.h"
 #include "omega_slam/matching/correlative_search.h"
+#include "omega_slam/matching/point_to_line_matcher.h"
 #include "omega_slam/matching/scan_matcher.h"
 #include "omega_slam/slam/keyframe.h"
 
@@ -47,6 +48,7 @@ class PlaceMatcher {
 
  private:
   PlaceMatcherConfig config_;
+  matching::PointToLineMatcher nearby_;  ///< in narrow windows
 };
 
 /// What is known of the places that a robot has been to.
