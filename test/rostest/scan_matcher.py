@@ -78,10 +78,10 @@ class ScanMatcherTest(NodeTest):
         return self.keyframes.waitFor(
             lambda m: m.id == number and m.header.stamp == stamp(seconds), f'keyframe {number}')
 
-    def drive(self, count, begin=0.0):
-        """Makes keyframes 0 to count - 1 and returns them."""
+    def drive(self, count, begin=0.0, first=0):
+        """Makes keyframes `first` to count - 1 and returns them."""
         keyframes = []
-        for number in range(count):
+        for number in range(first, count):
             self.goTo(number, begin)
             keyframes.append(self.keyframe(number, begin + number))
         return keyframes
@@ -111,9 +111,7 @@ class ScanMatcherTest(NodeTest):
         self.mountLaser()
         self.drive(1)
         self.waitForDiagnostic('scan_matcher: health', 'faults of the odometry', 'none')
-        for number in range(1, 12):
-            self.goTo(number)
-            self.keyframe(number, number)
+        self.drive(12, first=1)
 
         def said():
             return self.diagnosticValues('scan_matcher: health').get('faults of the odometry', '')
