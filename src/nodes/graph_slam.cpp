@@ -29,10 +29,11 @@ namespace {
 /// [s] A clock that goes back by less is one that wavers.
 constexpr double kTimeJump = 1.0;
 
-/// Looks at simulated time for each transform, as fast as time is seen to run; and how many of them
-/// there may be in the wall's time for one, so that it may run five times as fast. (A ros::Timer
-/// looks a thousand times a second, which is most of what this node would cost.)
+/// Looks at simulated time for each transform. (A ros::Timer looks a thousand times a second, which
+/// is most of what this node would cost.)
 constexpr double kTicks = 2.0;
+/// In the wall's time that lies between two transforms: up to so many times as fast may simulated
+/// time run.
 constexpr double kMostTicks = 5.0;
 constexpr double kPaceTime = 1.0;  // [s] of the wall's time, over which the speed is measured
 

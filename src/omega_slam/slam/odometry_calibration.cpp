@@ -73,9 +73,8 @@ std::string describe(const OdometryFaults& faults) {
   if (std::abs(faults.aside) > kSlight) {
     const bool to_left = faults.aside > 0.0;
     parts.push_back(fmt::format(
-        "ways lead {:.1f} degrees farther to the {}, as if the laser looked as far to the {} of "
-        "its "
-        "mount",
+        "ways lead {:.1f} degrees farther to the {}, as if the laser looked as far to "
+        "the {} of its mount",
         kDegrees * std::abs(faults.aside), to_left ? "left" : "right", to_left ? "right" : "left"));
   }
   if (std::abs(faults.turn) > kSlight) {
